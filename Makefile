@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: MIT
+# Two commands do everything: `make biaxial` and `make test`. `make help` lists the rest.
+#
+# The public targets first check what the machine has (.ci/packages installs what is missing), then call make again, because
+# the compiler flags below ask pkg-config, which may not have been there before.
+
+BUILD  ?= build/release
+CFLAGS ?= -O3 -g
+PREFIX ?= /usr/local
+DESTDIR ?=
+
+PKGS  := yaml-0.1 muparser jansson box2d cairo libpng
+FLAGS := -Isrc -Itests -Wall -Wextra -Wpedantic -ffp-contract=off -MMD -MP $(shell pkg-config --cflags $(PKGS) 2>/dev/null)
+# -fno-math-errno -fno-trapping-math let square roots and comparisons become vector code; they change no value.
+C_FLAGS   := -std=c17 -D_GNU_SOURCE -fno-math-errno -fno-trapping-math $(FLAGS) $(CFLAGS)
+CXX_FLAGS := -std=c++17 $(FLAGS) $(CFLAGS)
+LIBS  := $(shell pkg-config --libs $(PKGS) 2>/dev/null) -lm
+
+LIB_SRC  := $(filter-out src/cli/%,$(wildcard src/*/*.c)) $(wildcard src/*/*.cpp)
+CLI_SRC  := $(wildcard src/cli/*.c)
+TEST_SRC := $(wildcard tests/*/test_*.c)
+LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o)
+CLI_OBJ  := $(CLI_SRC:%=$(BUILD)/%.o)
+TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
+
+.PHONY: all biaxial test install asan lint format clean help packages-% build-all run-tests
+.SECONDARY:
+
+all: packages-build
+	@$(MAKE) --no-print-directory build-all
+
+biaxial: packages-build
+	@$(MAKE) --no-print-directory build-all
+	./trundle run cases/biaxial.yaml -o out/biaxial --force
+	@echo "curve:  out/biaxial/biaxial.svg and .png (needs gnuplot), numbers in out/biaxial/history.csv"
+	@echo "frames: out/biaxial/frames/*.png"
+	@echo "video:  out/biaxial/biaxial.mp4 (needs ffmpeg)"
+
+test: packages-test
+	@$(MAKE) --no-print-directory run-tests
+
+# The same tests under the address and undefined-behaviour sanitizers.
+asan: packages-test
+	@$(MAKE) --no-print-directory run-tests BUILD=build/asan TRUNDLE=build/asan/trundle \
+	    CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=undefined'
+
+install: all
+	install -D -m 755 trundle $(DESTDIR)$(PREFIX)/bin/trundle
+	install -d $(DESTDIR)$(PREFIX)/share/trundle/cases
+	install -m 644 cases/*.yaml $(DESTDIR)$(PREFIX)/share/trundle/cases/
+
+lint: packages-lint
+	clang-tidy --quiet $(LIB_SRC) $(CLI_SRC) -- -D_GNU_SOURCE -Isrc $(shell pkg-config --cflags $(PKGS) 2>/dev/null)
+	cppcheck --quiet --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
+	    --suppress=missingIncludeSystem -D_GNU_SOURCE -Isrc src
+
+format:
+	clang-format -i $(wildcard src/*/*.[ch] src/*/*.cpp tests/*.h tests/*/*.[ch])
+
+clean:
+	rm -rf build out trundle
+
+help:
+	@echo 'make biaxial   install what is missing, build, run the biaxial test of cases/biaxial.yaml'
+	@echo 'make test      install what is missing, build, run all tests; last line: N passed, N failed'
+	@echo 'make           install what is missing, build ./trundle'
+	@echo 'make install   PREFIX=$(PREFIX) DESTDIR=$(DESTDIR): trundle and the cases'
+	@echo 'make asan      the tests under the address and undefined-behaviour sanitizers'
+	@echo 'make lint      clang-tidy and cppcheck'
+	@echo 'make format    clang-format on all sources'
+	@echo 'make clean     remove build/, out/ and ./trundle'
+
+packages-%:
+	@.ci/packages $*
+
+# ---- what the targets above call ------------------------------------------------------------------------------------------
+
+TRUNDLE ?= trundle
+build-all: $(TRUNDLE)
+
+trundle: $(BUILD)/trundle
+	@cp $< $@
+$(BUILD)/trundle: $(CLI_OBJ) $(BUILD)/libtrundle.a
+	$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
+$(BUILD)/libtrundle.a: $(LIB_OBJ)
+	@rm -f $@
+	ar rcs $@ $^
+$(BUILD)/%.c.o: %.c
+	@mkdir -p $(@D)
+	$(CC) $(C_FLAGS) -c -o $@ $<
+$(BUILD)/%.cpp.o: %.cpp
+	@mkdir -p $(@D)
+	$(CXX) $(CXX_FLAGS) -c -o $@ $<
+# --wrap: a test counts allocations.
+$(BUILD)/tests/%: $(BUILD)/tests/%.c.o $(BUILD)/libtrundle.a
+	$(CXX) $(CFLAGS) $(LDFLAGS) -Wl,--wrap=malloc,--wrap=aligned_alloc,--wrap=calloc,--wrap=realloc -o $@ $^ $(LIBS) -lcmocka
+
+run-tests: $(TRUNDLE) $(TESTS)
+	@tests/run $(TRUNDLE) $(TESTS)
+
+-include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

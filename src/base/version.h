@@ -1,0 +1,7 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef TR_VERSION_H
+#define TR_VERSION_H
+
+#define TR_VERSION "0.1.0"
+
+#endif

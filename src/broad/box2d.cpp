@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: MIT */
+/* Pair finding by Box2D's dynamic tree of boxes (the only C++ file, the only user of Box2D).
+ *
+ * Box2D computes in float, in metres of a game, with a fixed fat margin of 0.1: a millimetre disk would be smaller than
+ * the margin and every pair a candidate. So lengths are scaled to a unit of two mean diameters, an origin is
+ * subtracted, and boxes are rounded outward. The tree only proposes; the gap is then checked in double, so that this
+ * finder and brute force give the same pairs. Every disk is queried at every call: Box2D's own UpdatePairs reports a
+ * pair once and would miss it when disks part and meet again. No exception leaves this file.
+ */
+extern "C" {
+#include "broad/broad_internal.h"
+}
+#include <algorithm>
+#include <box2d/b2_dynamic_tree.h>
+#include <cmath>
+#include <new>
+#include <vector>
+
+namespace {
+
+struct Box2d {
+    b2DynamicTree tree;
+    std::vector<int32> proxy; /* of disk i */
+    std::vector<int> near;    /* partners of the disk that is being queried */
+    double scale, x0, y0;
+
+    float down(double v) const { return std::nextafter(static_cast<float>(v), -INFINITY); }
+    float up(double v) const { return std::nextafter(static_cast<float>(v), INFINITY); }
+
+    b2AABB box(const double *p, double skin) const {
+        double x = (p[0] - x0) * scale, y = (p[1] - y0) * scale, r = (p[3] + skin) * scale;
+        b2AABB b;
+        b.lowerBound.Set(down(x - r), down(y - r));
+        b.upperBound.Set(up(x + r), up(y + r));
+        return b;
+    }
+};
+
+/* What b2DynamicTree::Query calls. Only partners with a larger number: each pair once. */
+struct Collect {
+    Box2d *self;
+    const tr_broad_input *input;
+    int a;
+    bool QueryCallback(int32 proxy) {
+        int b = static_cast<int>(reinterpret_cast<uintptr_t>(self->tree.GetUserData(proxy)));
+        if (b > a && tr_broad_near(input, a, b)) self->near.push_back(b);
+        return true;
+    }
+};
+
+void *create(const tr_broad_input *input, tr_status *st) {
+    if (!tr_broad_check(input, st)) return nullptr;
+    try {
+        auto *self = new Box2d;
+        double sum = 0;
+        for (int i = 0; i < input->n; i++) sum += input->pos[4 * static_cast<size_t>(i) + 3];
+        self->scale = input->n ? input->n / (4 * sum) : 1;
+        self->x0 = input->n ? input->pos[0] : 0;
+        self->y0 = input->n ? input->pos[1] : 0;
+        for (int i = 0; i < input->n; i++)
+            self->proxy.push_back(self->tree.CreateProxy(self->box(input->pos + 4 * static_cast<size_t>(i), 0),
+                                                         reinterpret_cast<void *>(static_cast<uintptr_t>(i))));
+        return self;
+    } catch (const std::bad_alloc &) {
+        tr_status_fail(st, TR_FILE, "error: out of memory (pair finding, %d disks)", input->n);
+        return nullptr;
+    }
+}
+
+bool find(void *finder, const tr_broad_input *input, tr_pairs *pairs, tr_status *st) {
+    if (!tr_broad_check(input, st)) return false;
+    auto *self = static_cast<Box2d *>(finder);
+    pairs->n = 0;
+    try {
+        for (int i = 0; i < input->n; i++)
+            self->tree.MoveProxy(self->proxy[static_cast<size_t>(i)],
+                                 self->box(input->pos + 4 * static_cast<size_t>(i), 0), b2Vec2(0, 0));
+        for (int a = 0; a < input->n; a++) {
+            self->near.clear();
+            Collect collect{self, input, a};
+            self->tree.Query(&collect, self->box(input->pos + 4 * static_cast<size_t>(a), input->skin));
+            std::sort(self->near.begin(), self->near.end());
+            for (int b : self->near)
+                if (!tr_pairs_add(pairs, a, b, st)) return false;
+        }
+    } catch (const std::bad_alloc &) {
+        return tr_status_fail(st, TR_FILE, "error: out of memory (pair finding, %d disks)", input->n);
+    }
+    return true;
+}
+
+void destroy(void *finder) {
+    delete static_cast<Box2d *>(finder);
+}
+
+} // namespace
+
+extern "C" const tr_broad_finder tr_broad_box2d = {"box2d", create, find, destroy};

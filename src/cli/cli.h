@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: MIT */
+/* The commands. argv[0] is the command's name; each returns the exit code. */
+#ifndef TR_CLI_H
+#define TR_CLI_H
+
+#include "base/status.h"
+
+int tr_cli_run(int argc, char **argv);
+int tr_cli_bench(int argc, char **argv);
+
+/* Prints the message of a failure on stderr and returns its code. */
+int tr_cli_fail(const tr_status *st);
+
+/* A progress bar on stderr, drawn at most ten times a second; silent unless stderr is a terminal. */
+typedef struct tr_progress {
+    bool terminal, color;
+    double started, drawn; /* [s] of the stage, and of the last drawing */
+    char stage[32];
+} tr_progress;
+
+tr_progress tr_progress_begin(void);
+void tr_progress_show(void *progress, const char *stage, double fraction);
+void tr_progress_end(tr_progress *progress);
+
+#endif

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT */
+/* trundle: arguments in, printing out; everything else is below. Exit codes: base/status.h. */
+#include "cli/cli.h"
+
+#include "base/version.h"
+#include <stdio.h>
+#include <string.h>
+
+static const struct command {
+    const char *name, *doc;
+    int (*run)(int argc, char **argv);
+} commands[] = {
+    {"run", "run a case file: trundle run cases/biaxial.yaml -o out/biaxial", tr_cli_run},
+    {"bench", "measure the speed of the contact loop on a sheared sample", tr_cli_bench},
+};
+enum { N_COMMANDS = sizeof commands / sizeof *commands };
+
+static int usage(FILE *to, int code) {
+    fprintf(to,
+            "trundle %s: disks that roll and slide (2D DEM for teaching and for verifying contact laws)\n\n"
+            "usage: trundle COMMAND [OPTION...]\n\n",
+            TR_VERSION);
+    for (int k = 0; k < N_COMMANDS; k++) fprintf(to, "  %-6s %s\n", commands[k].name, commands[k].doc);
+    fputs("\n  trundle COMMAND --help     options of a command\n  trundle --version\n\n"
+          "exit: 0 done, 1 a check failed, 2 usage or case, 3 files, 4 numerical failure, 130 interrupted\n",
+          to);
+    return code;
+}
+
+int main(int argc, char **argv) {
+    const char *word = argc > 1 ? argv[1] : "";
+    if (!strcmp(word, "--help") || !strcmp(word, "-h") || !strcmp(word, "help")) return usage(stdout, TR_OK);
+    if (!strcmp(word, "--version")) return printf("trundle %s\n", TR_VERSION), TR_OK;
+    for (int k = 0; k < N_COMMANDS; k++)
+        if (!strcmp(word, commands[k].name)) return commands[k].run(argc - 1, argv + 1);
+    if (*word) fprintf(stderr, "error: no command \"%s\"\n\n", word);
+    return usage(stderr, TR_BAD_CASE);
+}

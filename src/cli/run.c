@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: MIT */
+/* trundle run */
+#include "cli/cli.h"
+
+#include "base/version.h"
+#include "laws/law.h"
+#include "study/run.h"
+#include <argp.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MAX_SETS = 256, CHECK = 1000, SEED, FRAMES, SET, FORCE };
+
+typedef struct arguments {
+    const char *file, *dir;
+    const char *set[MAX_SETS];
+    int n_set;
+    bool force, check;
+    char *owned[MAX_SETS]; /* texts made of --seed and --frames */
+    int n_owned;
+} arguments;
+
+static const struct argp_option options[] = {
+    {"output", 'o', "DIR", 0, "directory of the results (default: out/ and the name of the case)", 0},
+    {"force", FORCE, NULL, 0, "replace a finished run in that directory", 0},
+    {"set", SET, "KEY=VALUE", 0, "override a key of the case: --set shear.inertial_number=1e-4", 0},
+    {"seed", SEED, "S", 0, "short for --set seed=S", 0},
+    {"frames", FRAMES, "N", 0, "short for --set output.frames=N", 0},
+    {"check", CHECK, NULL, 0, "only check the case", 0},
+    {0},
+};
+
+static void add_set(arguments *a, const char *text, struct argp_state *state) {
+    if (a->n_set == MAX_SETS) argp_error(state, "more than %d overrides", MAX_SETS);
+    a->set[a->n_set++] = text;
+}
+
+static void add_short(arguments *a, const char *key, const char *value, struct argp_state *state) {
+    char *text = NULL;
+    if (asprintf(&text, "%s=%s", key, value) < 0) argp_error(state, "out of memory");
+    a->owned[a->n_owned++] = text;
+    add_set(a, text, state);
+}
+
+static error_t parse(int key, char *value, struct argp_state *state) {
+    arguments *a = state->input;
+    switch (key) {
+    case 'o':
+        a->dir = value;
+        break;
+    case FORCE:
+        a->force = true;
+        break;
+    case CHECK:
+        a->check = true;
+        break;
+    case SET:
+        add_set(a, value, state);
+        break;
+    case SEED:
+        add_short(a, "seed", value, state);
+        break;
+    case FRAMES:
+        add_short(a, "output.frames", value, state);
+        break;
+    case ARGP_KEY_ARG:
+        if (a->file) argp_error(state, "one case file at a time");
+        a->file = value;
+        break;
+    case ARGP_KEY_NO_ARGS:
+        argp_error(state, "which case file?");
+        break;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+    return 0;
+}
+
+static volatile sig_atomic_t stop;
+
+static void on_signal(int number) {
+    (void)number;
+    stop = 1;
+}
+
+/* The first Ctrl-C asks to stop, a second one kills. */
+static void catch_signals(void) {
+    struct sigaction action = {.sa_handler = on_signal, .sa_flags = (int)SA_RESETHAND | SA_RESTART};
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+}
+
+/* "cases/slip-to-roll.yaml" -> "slip-to-roll" */
+static void case_name(const char *file, char *name, size_t size) {
+    const char *slash = strrchr(file, '/');
+    snprintf(name, size, "%s", slash ? slash + 1 : file);
+    char *dot = strrchr(name, '.');
+    if (dot && dot != name) *dot = '\0';
+}
+
+static void print_report(const tr_run_report *r, const char *dir) {
+    for (int k = 0; k < r->n_lines; k++) printf("%-22s %s\n", r->line[k].label, r->line[k].value);
+    printf("%-22s %s\n", "results", dir);
+    fflush(stdout);
+    for (int k = 0; k < r->n_notes; k++) fprintf(stderr, "note: %s\n", r->note[k]);
+}
+
+static int run(const arguments *a) {
+    tr_status st = {0};
+    tr_scene scene;
+    if (!tr_scene_read_file(&scene, a->file, a->set, a->n_set, tr_laws_catalog(), &st)) return tr_cli_fail(&st);
+    char name[256], dir[300];
+    case_name(a->file, name, sizeof name);
+    snprintf(dir, sizeof dir, "out/%s", name);
+    if (!a->check) {
+        tr_run_report report;
+        tr_progress progress = tr_progress_begin();
+        tr_run_options options = {a->dir ? a->dir : dir, name, a->force, &stop, tr_progress_show, &progress};
+        catch_signals();
+        bool ok = tr_run(&scene, &options, &report, &st);
+        tr_progress_end(&progress);
+        if (ok) print_report(&report, options.dir);
+    } else {
+        printf("%s: ok\n", a->file);
+    }
+    tr_scene_free(&scene);
+    return st.code ? tr_cli_fail(&st) : TR_OK;
+}
+
+int tr_cli_run(int argc, char **argv) {
+    arguments a = {0};
+    argp_err_exit_status = TR_BAD_CASE;
+    const struct argp argp = {
+        options, parse, "CASE.yaml", "Runs a case file and writes curves, tables, frames and a film.", 0, 0, 0};
+    argv[0] = "trundle run";
+    argp_parse(&argp, argc, argv, 0, NULL, &a);
+    int code = run(&a);
+    for (int k = 0; k < a.n_owned; k++) free(a.owned[k]);
+    return code;
+}

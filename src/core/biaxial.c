@@ -1,0 +1,151 @@
+/* SPDX-License-Identifier: MIT */
+#include "core/biaxial.h"
+
+#include "core/ledger.h"
+#include "core/measures.h"
+#include "core/sample.h"
+#include "core/step.h"
+#include "core/timestep.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Lengths of the walls, and what pushes the pistons, follow the box. */
+static void fit_walls(tr_biaxial *b, double horizontal, double lateral) {
+    tr_wall *w = b->world.wall;
+    double width = w[TR_RIGHT_WALL].x - w[TR_LEFT_WALL].x, height = w[TR_TOP_WALL].y - w[TR_BOTTOM_WALL].y;
+    w[TR_BOTTOM_WALL].length = w[TR_TOP_WALL].length = width;
+    w[TR_LEFT_WALL].length = w[TR_RIGHT_WALL].length = height;
+    w[TR_BOTTOM_WALL].load = w[TR_TOP_WALL].load = horizontal * width;
+    w[TR_LEFT_WALL].load = w[TR_RIGHT_WALL].load = lateral * height;
+}
+
+/* The laws of compaction: friction mu of its own, no rolling resistance. */
+static tr_scene_contact compaction_laws(const tr_scene *scene) {
+    tr_scene_contact c = scene->contact;
+    double mu = scene->compaction.mu;
+    for (int i = 0; i < tr_laws_catalog()->n_rolling; i++)
+        if (!tr_laws_rolling[i]->step) c.rolling.law = i;
+    for (int i = 0; mu == 0 && i < tr_laws_catalog()->n_friction; i++)
+        if (!tr_laws_friction[i]->step) c.friction.law = i;
+    const tr_param_table *table = &tr_laws_friction[c.friction.law]->table;
+    for (int k = 0; k < table->n; k++)
+        if (!strcmp(table->params[k].key, "mu"))
+            memcpy((char *)c.friction.par + table->params[k].offset, &mu, sizeof mu);
+    return c;
+}
+
+bool tr_biaxial_init(tr_biaxial *b, const tr_scene *scene, tr_status *st) {
+    double side, radius_sum = 0, mass = 0;
+    int n = scene->sample.disks;
+    *b = (tr_biaxial){.scene = scene};
+    if (!tr_world_init(&b->world, n, st)) return false;
+    if (!tr_sample_throw(&b->world, &scene->sample, scene->seed, &side, st)) return tr_biaxial_free(b), false;
+    b->disk_area = tr_measures_disk_area(&b->world.disks);
+    for (int i = 0; i < n; i++) mass += b->world.disks.mass[i], radius_sum += b->world.disks.pos[4 * (size_t)i + 3];
+    b->mean_mass = mass / n;
+
+    /* side of the dense sample, for the mass of a row of disks and for the speed that an inertial number means */
+    double dense = sqrt(b->disk_area * 1.2), row = b->mean_mass * fmax(1, dense / (2 * radius_sum / n));
+    double v_max = 0.5 * dense * scene->compaction.inertial_number * sqrt(scene->compaction.pressure / b->mean_mass);
+    tr_wall walls[4] = {{.ny = 1}, {.y = side, .ny = -1}, {.nx = 1}, {.x = side, .nx = -1}};
+    for (int w = 0; w < 4; w++) {
+        walls[w].mass = row, walls[w].v_max = v_max;
+        b->world.wall[w] = walls[w];
+    }
+    b->world.n_walls = 4;
+    tr_scene_contact laws = compaction_laws(scene);
+    /* One step for both stages, from the stiffer one. */
+    bool ok = tr_world_set_laws(&b->world, &scene->contact, scene->shear.walls == 0, 0, st) &&
+              tr_timestep_choose(&b->world, &scene->step, 0, &b->dt_bound, st) &&
+              tr_world_set_laws(&b->world, &laws, true, 0, st);
+    if (!ok) tr_biaxial_free(b);
+    return ok;
+}
+
+void tr_biaxial_free(tr_biaxial *b) {
+    tr_world_free(&b->world);
+}
+
+static double wall_stress(const tr_wall *w) {
+    return -(w->fx * w->nx + w->fy * w->ny) / w->length;
+}
+
+bool tr_biaxial_compact(tr_biaxial *b, int steps, double *unbalanced, bool *done, tr_status *st) {
+    const int64_t too_many = 20000000;
+    const double pressure = b->scene->compaction.pressure, pressure_error = 1e-3;
+    tr_world *world = &b->world;
+    for (int k = 0; k < steps; k++) {
+        fit_walls(b, pressure, pressure);
+        if (!tr_step_forces(world, st)) return false;
+        if (k == steps - 1) break;
+        tr_step_advance(world);
+    }
+    tr_record *records = NULL;
+    int capacity = 0, n = tr_record_all(world, &records, &capacity, st);
+    tr_measures m = tr_measures_of(world, records, n);
+    free(records);
+    if (st->code) return false;
+    *unbalanced = n ? m.unbalanced : 1;
+    *done = n > 0 && m.unbalanced < b->scene->compaction.unbalanced;
+    for (int w = 0; w < 4; w++) *done = *done && fabs(wall_stress(&world->wall[w]) / pressure - 1) < pressure_error;
+    tr_step_advance(world);
+    if (world->steps > too_many)
+        return tr_status_fail(
+            st, TR_NUMERICAL,
+            "error: compaction has not come to rest after %lld steps (unbalanced ratio %.3g, asked %.3g)",
+            (long long)world->steps, *unbalanced, b->scene->compaction.unbalanced);
+    return true;
+}
+
+bool tr_biaxial_begin_shear(tr_biaxial *b, tr_status *st) {
+    const tr_scene_shear *shear = &b->scene->shear;
+    tr_wall *w = b->world.wall;
+    b->height0 = w[TR_TOP_WALL].y - w[TR_BOTTOM_WALL].y;
+    b->rate = shear->inertial_number * sqrt(shear->lateral_pressure / b->mean_mass);
+    b->shear_start = b->world.steps;
+    b->shear_steps = (int64_t)ceil(shear->strain_end / (b->rate * b->world.dt));
+    for (int k = 0; k < 4; k++) w[k].v_max = INFINITY;
+    for (int k = TR_BOTTOM_WALL; k <= TR_TOP_WALL; k++) {
+        w[k].mass = 0;
+        w[k].vy = 0.5 * b->rate * b->height0 * w[k].ny;
+    }
+    return tr_world_set_laws(&b->world, &b->scene->contact, shear->walls == 0,
+                             b->scene->output.energy ? TR_SINK_LEDGER : 0, st);
+}
+
+bool tr_biaxial_forces(tr_biaxial *b, tr_status *st) {
+    tr_world *world = &b->world;
+    fit_walls(b, 0, b->scene->shear.lateral_pressure);
+    if (!tr_step_forces(world, st)) return false;
+    if (world->ledger) {
+        if (world->steps == b->shear_start)
+            tr_ledger_begin(world);
+        else
+            tr_ledger_walls(world);
+    }
+    for (int k = 0; k < 4; k++) b->stress_sum[k] += wall_stress(&world->wall[k]);
+    b->stress_steps++;
+    return true;
+}
+
+void tr_biaxial_shape(const tr_biaxial *b, tr_biaxial_state *s) {
+    const tr_wall *w = b->world.wall;
+    s->height = w[TR_TOP_WALL].y - w[TR_BOTTOM_WALL].y;
+    s->width = w[TR_RIGHT_WALL].x - w[TR_LEFT_WALL].x;
+    s->strain = (b->height0 - s->height) / b->height0;
+    s->time = (double)(b->world.steps - b->shear_start) * b->world.dt;
+    s->void_ratio = s->height * s->width / b->disk_area - 1;
+}
+
+tr_biaxial_state tr_biaxial_read(tr_biaxial *b) {
+    tr_biaxial_state s;
+    double steps = (double)b->stress_steps;
+    tr_biaxial_shape(b, &s);
+    s.stress_1 = (b->stress_sum[TR_BOTTOM_WALL] + b->stress_sum[TR_TOP_WALL]) / (2 * steps);
+    s.stress_2 = (b->stress_sum[TR_LEFT_WALL] + b->stress_sum[TR_RIGHT_WALL]) / (2 * steps);
+    s.sin_phi = (s.stress_1 - s.stress_2) / (s.stress_1 + s.stress_2);
+    memset(b->stress_sum, 0, sizeof b->stress_sum);
+    b->stress_steps = 0;
+    return s;
+}

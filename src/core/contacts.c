@@ -1,0 +1,172 @@
+/* SPDX-License-Identifier: MIT */
+/* Two skins. `near` holds every pair closer than the wide skin at the last search; while no centre has moved further
+ * than (wide - thin)/2 since, it still holds every pair closer than the thin skin, and the list of the step is pruned
+ * from it. The list stays complete until a centre has moved thin/2 (tr_step_advance watches that). In a sheared sample
+ * 40 % of the pairs of a wide list do not touch: the thin one is what makes the contact loop short. */
+#include "core/contacts.h"
+
+#include "base/alloc.h"
+#include "core/timestep.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+double tr_contacts_wall_distance(const tr_wall *wall, const double *pos) {
+    return (pos[0] - wall->x) * wall->nx + (pos[1] - wall->y) * wall->ny;
+}
+
+static bool group_reserve(tr_group *g, int n, tr_status *st) {
+    if (n <= g->capacity) return true;
+    size_t old_n = (size_t)g->n, grown = (size_t)n + (size_t)n / 4 + TR_TILE;
+    bool ok =
+        tr_alloc_grow(&g->a, old_n, grown, sizeof(int), st) && tr_alloc_grow(&g->b, old_n, grown, sizeof(int), st) &&
+        tr_alloc_grow(&g->old_a, 0, grown, sizeof(int), st) && tr_alloc_grow(&g->old_b, 0, grown, sizeof(int), st);
+    for (int k = 0; ok && k < g->n_hist; k++)
+        ok = tr_alloc_grow(&g->hist[k], old_n, grown, sizeof(double), st) &&
+             tr_alloc_grow(&g->old_hist[k], 0, grown, sizeof(double), st);
+    for (int k = 0; ok && k < g->n_pair; k++) ok = tr_alloc_grow(&g->pair[k], 0, grown, sizeof(double), st);
+    if (ok) g->capacity = (int)grown;
+    return ok;
+}
+
+/* Keeps the present list as the old one and starts an empty new one. */
+static int group_begin(tr_group *g) {
+    int old_n = g->n;
+    int *a = g->old_a, *b = g->old_b;
+    g->old_a = g->a, g->old_b = g->b, g->a = a, g->b = b;
+    for (int k = 0; k < g->n_hist; k++) {
+        double *h = g->old_hist[k];
+        g->old_hist[k] = g->hist[k], g->hist[k] = h;
+    }
+    g->n = 0;
+    return old_n;
+}
+
+/* Appends contact (a, b); *old walks the old list, which is sorted like the new one. */
+static void group_append(tr_world *world, tr_group *g, int a, int b, int *old, int old_n) {
+    const tr_disks *d = &world->disks;
+    int i = g->n++;
+    g->a[i] = a, g->b[i] = b;
+    double R1 = g->walls ? 0 : d->pos[4 * (size_t)a + 3], R2 = d->pos[4 * (size_t)b + 3];
+    g->pair[0][i] = R1, g->pair[1][i] = R2, g->pair[2][i] = g->walls ? 1 : R1 / (R1 + R2);
+    tr_pair_bodies bodies = {R1, R2, g->walls ? INFINITY : d->mass[a], d->mass[b]};
+    for (int s = 0; s < TR_N_SLOTS; s++) {
+        const tr_slot *slot = &g->slot[s];
+        double constants[TR_MAX_PAIR];
+        if (!slot->law->n_pair) continue;
+        slot->law->pair(slot->par, &bodies, constants);
+        for (int k = 0; k < slot->law->n_pair; k++) g->pair[slot->pair + k][i] = constants[k];
+    }
+    while (*old < old_n && (g->old_a[*old] < a || (g->old_a[*old] == a && g->old_b[*old] < b))) ++*old;
+    bool known = *old < old_n && g->old_a[*old] == a && g->old_b[*old] == b;
+    for (int k = 0; k < g->n_hist; k++) g->hist[k][i] = known ? g->old_hist[k][*old] : 0;
+}
+
+static void copy_centres(const tr_disks *d, double *ref) {
+    for (int i = 0; i < d->n; i++) ref[2 * i] = d->pos[4 * i], ref[2 * i + 1] = d->pos[4 * i + 1];
+}
+
+static double largest_move(const tr_disks *d, const double *ref) {
+    double largest = 0;
+    for (int i = 0; i < d->n; i++) {
+        double dx = d->pos[4 * i] - ref[2 * i], dy = d->pos[4 * i + 1] - ref[2 * i + 1];
+        largest = fmax(largest, dx * dx + dy * dy);
+    }
+    return sqrt(largest);
+}
+
+static bool search(tr_world *world, tr_status *st) {
+    tr_broad_input input = {world->disks.n, world->disks.pos, world->wide_skin};
+    copy_centres(&world->disks, world->wide_ref);
+    world->searches++;
+    return world->broad->find(world->finder, &input, &world->near, st);
+}
+
+/* Every disk and wall is looked at: n_walls n, at refreshes only. */
+static bool refresh_walls(tr_world *world, tr_status *st) {
+    tr_group *g = &world->group[1];
+    if (!group_reserve(g, world->n_walls * world->disks.n < 4 * TR_TILE ? world->n_walls * world->disks.n : 4 * TR_TILE,
+                       st))
+        return false;
+    int old = 0, old_n = group_begin(g);
+    for (int w = 0; w < world->n_walls; w++)
+        for (int i = 0; i < world->disks.n; i++) {
+            const double *pos = world->disks.pos + 4 * (size_t)i;
+            if (tr_contacts_wall_distance(&world->wall[w], pos) - pos[3] >= world->thin_skin) continue;
+            if (g->n == g->capacity && !group_reserve(g, g->n + 1, st)) return false;
+            group_append(world, g, w, i, &old, old_n);
+        }
+    return true;
+}
+
+static bool refresh_disks(tr_world *world, tr_status *st) {
+    tr_group *g = &world->group[0];
+    if (!group_reserve(g, world->near.n, st)) return false;
+    int old = 0, old_n = group_begin(g);
+    for (int i = 0; i < world->near.n; i++) {
+        int a = world->near.a[i], b = world->near.b[i];
+        const double *p = world->disks.pos + 4 * (size_t)a, *q = world->disks.pos + 4 * (size_t)b;
+        double dx = q[0] - p[0], dy = q[1] - p[1], reach = p[3] + q[3] + world->thin_skin;
+        if (dx * dx + dy * dy < reach * reach) group_append(world, g, a, b, &old, old_n);
+    }
+    return true;
+}
+
+bool tr_contacts_refresh(tr_world *world, tr_status *st) {
+    double moved = largest_move(&world->disks, world->wide_ref);
+    bool searched = world->searches > 0;
+    if (!searched || !(2 * moved + world->thin_skin <= world->wide_skin) || !world->near.n)
+        if (!search(world, st)) return false;
+    if (!refresh_disks(world, st) || !refresh_walls(world, st)) return false;
+    copy_centres(&world->disks, world->thin_ref);
+    world->wall_moved = 0;
+    world->stale = false;
+    world->refreshes++;
+    return tr_contacts_check(world, st);
+}
+
+static bool fail_at(const tr_world *world, tr_status *st, const char *what, const char *which) {
+    return tr_status_fail(st, TR_NUMERICAL, "error: %s: %s, at step %lld, time %.9g s", which, what,
+                          (long long)world->steps, (double)world->steps * world->dt);
+}
+
+static void name_contact(const tr_group *g, int i, char *text, size_t size) {
+    snprintf(text, size, g->walls ? "contact of wall %d with disk %d" : "contact of disks %d and %d", g->a[i], g->b[i]);
+}
+
+bool tr_contacts_check(const tr_world *world, tr_status *st) {
+    const double largest_overlap = 0.3; /* of the smaller radius: beyond it no contact law means anything */
+    char which[96], what[160];
+    for (int i = 0; i < world->disks.n; i++)
+        for (int k = 0; k < 3; k++)
+            if (!isfinite(world->disks.pos[4 * i + k]) || !isfinite(world->disks.vel[4 * i + k])) {
+                snprintf(which, sizeof which, "disk %d", i);
+                return fail_at(world, st, "its position or velocity is not finite", which);
+            }
+    for (int k = 0; k < 2; k++) {
+        const tr_group *g = &world->group[k];
+        for (int i = 0; i < g->n; i++) {
+            const double *q = world->disks.pos + 4 * (size_t)g->b[i];
+            double R = q[3], delta;
+            if (g->walls) {
+                delta = R - tr_contacts_wall_distance(&world->wall[g->a[i]], q);
+            } else {
+                const double *p = world->disks.pos + 4 * (size_t)g->a[i];
+                delta = p[3] + q[3] - hypot(q[0] - p[0], q[1] - p[1]);
+                R = fmin(R, p[3]);
+            }
+            if (delta > largest_overlap * R) {
+                name_contact(g, i, which, sizeof which);
+                snprintf(what, sizeof what, "overlap %.3g m is above 0.3 of the radius %.3g m", delta, R);
+                return fail_at(world, st, what, which);
+            }
+        }
+    }
+    tr_timestep_limit limit = tr_timestep_contacts(world);
+    if (world->dt > limit.dt && !world->allow_unstable) {
+        name_contact(&world->group[limit.group], limit.contact, which, sizeof which);
+        snprintf(what, sizeof what, "the step %.4g s is above the stability bound %.4g s", world->dt, limit.dt);
+        return fail_at(world, st, what, which);
+    }
+    return true;
+}

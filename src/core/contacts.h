@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: MIT */
+/* The list of contacts that a step walks, and how histories survive its renewal. */
+#ifndef TR_CONTACTS_H
+#define TR_CONTACTS_H
+
+#include "core/world.h"
+
+/* Renews the lists of both groups: every pair closer than the thin skin, sorted by (a, b). Histories follow the ids.
+ * Searches with the broad phase when its wider list may have missed a pair. Then checks the state: finite, no overlap
+ * above 0.3 R, and dt below the stability bound of the touching contacts (unless allow_unstable); else TR_NUMERICAL
+ * naming disk, contact, step and time. */
+bool tr_contacts_refresh(tr_world *world, tr_status *st);
+
+/* The checks alone. */
+bool tr_contacts_check(const tr_world *world, tr_status *st);
+
+/* Distance of a disk's centre from a wall [m]. */
+double tr_contacts_wall_distance(const tr_wall *wall, const double *pos);
+
+#endif

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: MIT */
+/* The energy ledger, a sink of its own pass: where the work of the walls goes.
+ *
+ *   start + work = kinetic + elastic (normal, friction, rolling) + dissipated (damped, friction, rolling) + residual
+ *
+ * Leapfrog does its work by the trapezoid: with K^n = 1/2 m v^(n-1/2) v^(n+1/2) the gain of K over a step is exactly
+ * the mean of the forces at its two ends times the displacement. So every work here is ½ (force before + force now) *
+ * displacement, and the store is asked from the law. Dissipation of a mechanism = work - change of store, per contact
+ * and step:
+ *
+ *   normal    the elastic part is a potential, its work is its change of store; damped = (f_n - f_elastic) v_n dt >= 0
+ *   friction  ½ (Q0 + Q) Vs dt - (E - E_before)      Q0: Q before, cut to the bound of now. With Q before the cut the
+ * result rolling   -½ ((M0 + M).w) dt - (E - E_before)    could fall below zero when a bound drops; cut, it never does
+ * for a spring- slider driven by its conjugate velocity (algebra in ledger.c)
+ *
+ * A rolling law whose moments are not conjugate to its velocity (wang-spring with bagi-kuhn or alonso-*) makes and
+ * loses energy; that shows as a rolling dissipation of either sign. The residual is what the time step loses; it falls
+ * with dt.
+ */
+#ifndef TR_LEDGER_H
+#define TR_LEDGER_H
+
+#include "core/world.h"
+
+typedef struct tr_energy {
+    double kinetic, elastic_normal, elastic_friction, elastic_rolling; /* now [N] = J per metre of length */
+    double damped, friction, rolling;                                  /* dissipated since the ledger began [N] */
+    double work;                                                       /* of the walls on the disks since then [N] */
+    double residual;                                                   /* [N] */
+} tr_energy;
+
+void tr_ledger_attach(tr_group *group, tr_ledger *ledger);
+
+/* After tr_step_forces: starts the accounts at the present state. */
+void tr_ledger_begin(tr_world *world);
+
+/* After every tr_step_forces that follows: adds the work of the walls over the last step. */
+void tr_ledger_walls(tr_world *world);
+
+/* After tr_step_forces (and tr_ledger_walls). */
+tr_energy tr_ledger_read(const tr_world *world);
+
+#endif

@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: MIT */
+#include "core/sample.h"
+
+#include "base/alloc.h"
+#include "base/random.h"
+#include <math.h>
+#include <stdlib.h>
+
+static const double LOOSE_FRACTION =
+    0.4; /* random sequential addition jams near 0.55; here a throw succeeds after a few tries */
+
+/* Cells as wide as the largest disk, each the head of a chain of disks: neighbours are in the 3 x 3 cells around. */
+typedef struct grid {
+    int cells, *head, *next;
+    double width;
+} grid;
+
+static int cell_of(const grid *g, double v) {
+    int c = (int)(v / g->width);
+    return c < 0 ? 0 : c >= g->cells ? g->cells - 1 : c;
+}
+
+static bool is_free(const grid *g, const double *pos, double x, double y, double R) {
+    int cx = cell_of(g, x), cy = cell_of(g, y);
+    for (int j = cy > 0 ? cy - 1 : 0; j <= cy + 1 && j < g->cells; j++)
+        for (int i = cx > 0 ? cx - 1 : 0; i <= cx + 1 && i < g->cells; i++)
+            for (int k = g->head[j * g->cells + i]; k >= 0; k = g->next[k]) {
+                double dx = pos[4 * (size_t)k] - x, dy = pos[4 * (size_t)k + 1] - y, reach = pos[4 * (size_t)k + 3] + R;
+                if (dx * dx + dy * dy < reach * reach) return false;
+            }
+    return true;
+}
+
+bool tr_sample_throw(tr_world *world, const tr_scene_sample *sample, uint64_t seed, double *side, tr_status *st) {
+    tr_random random = tr_random_seed(seed, 1);
+    int n = sample->disks;
+    double *radius = tr_alloc((size_t)n, sizeof *radius, st), area = 0;
+    if (!radius) return false;
+    for (int i = 0; i < n; i++) {
+        radius[i] = sample->r_min + (sample->r_max - sample->r_min) * tr_random_uniform(&random);
+        area += M_PI * radius[i] * radius[i];
+    }
+    double L = *side = fmax(sqrt(area / LOOSE_FRACTION), 4 * sample->r_max);
+    grid g = {.cells = (int)fmax(1, fmin(L / (2 * sample->r_max), 20000)),
+              .next = tr_alloc((size_t)n, sizeof(int), st)};
+    g.width = L / g.cells;
+    size_t cells = (size_t)g.cells * (size_t)g.cells;
+    g.head = tr_alloc(cells, sizeof(int), st);
+    bool ok = g.head && g.next;
+    for (size_t c = 0; ok && c < cells; c++) g.head[c] = -1;
+    for (int i = 0; ok && i < n; i++) {
+        double R = radius[i], x, y;
+        int64_t tries = 0;
+        do {
+            x = R + (L - 2 * R) * tr_random_uniform(&random);
+            y = R + (L - 2 * R) * tr_random_uniform(&random);
+            ok = ++tries < 10000000;
+        } while (ok && !is_free(&g, world->disks.pos, x, y, R));
+        if (!ok)
+            tr_status_fail(st, TR_NUMERICAL,
+                           "error: no room for disk %d of %d in the loose sample: is r_max/r_min too large?", i, n);
+        tr_world_set_disk(world, i, x, y, 0, R, sample->density, false);
+        int *head = &g.head[cell_of(&g, y) * g.cells + cell_of(&g, x)];
+        g.next[i] = *head, *head = i;
+    }
+    free(radius), free(g.head), free(g.next);
+    return ok;
+}

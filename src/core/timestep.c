@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: MIT */
+#include "core/timestep.h"
+
+#include "core/contacts.h"
+#include <math.h>
+#include <string.h>
+
+/* Inverse of the share of a body's mass and inertia that one contact gets. */
+typedef struct share {
+    double inv_m, inv_I;
+} share;
+
+static double contact_limit(const tr_group *g, const tr_pair_bodies *bodies, double r1, double r2, share one,
+                            share two) {
+    tr_stiffness f = {0}, r = {0}, n = g->slot[TR_NORMAL].law->stiffness(g->slot[TR_NORMAL].par, bodies);
+    const tr_slot *friction = &g->slot[TR_FRICTION], *rolling = &g->slot[TR_ROLLING];
+    if (friction->law->step) f = friction->law->stiffness(friction->par, bodies);
+    if (rolling->law->step) r = rolling->law->stiffness(rolling->par, bodies);
+
+    double s = one.inv_m + two.inv_m;
+    double normal = s > 0 ? (sqrt(n.c * n.c + 4 * n.k / s) - n.c) / n.k : INFINITY;
+
+    /* V_s = Vt + r1 w1 + r2 w2 and V_r = l1 w1 - l2 w2: inverse masses along each, and what couples them. */
+    double slide = f.k * (s + r1 * r1 * one.inv_I + r2 * r2 * two.inv_I);
+    double roll = r.k * (r.lever1 * r.lever1 * one.inv_I + r.lever2 * r.lever2 * two.inv_I);
+    double mixed = sqrt(f.k * r.k) * (r1 * r.lever1 * one.inv_I - r2 * r.lever2 * two.inv_I);
+    double w2 = 0.5 * (slide + roll + sqrt((slide - roll) * (slide - roll) + 4 * mixed * mixed));
+    double tangential = w2 > 0 ? 2 / sqrt(w2) : INFINITY;
+    return fmin(normal, tangential);
+}
+
+static bool touches(const tr_world *world, const tr_group *g, int i) {
+    const double *q = world->disks.pos + 4 * (size_t)g->b[i];
+    if (g->walls) return tr_contacts_wall_distance(&world->wall[g->a[i]], q) < q[3];
+    const double *p = world->disks.pos + 4 * (size_t)g->a[i];
+    double dx = q[0] - p[0], dy = q[1] - p[1], reach = p[3] + q[3];
+    return dx * dx + dy * dy < reach * reach;
+}
+
+tr_timestep_limit tr_timestep_contacts(const tr_world *world) {
+    tr_timestep_limit limit = {.dt = INFINITY};
+    const tr_disks *d = &world->disks;
+    int wall_z[TR_MAX_WALLS] = {0}, *z = d->coordination;
+    memset(z, 0, (size_t)d->n * sizeof *z);
+    for (int k = 0; k < 2; k++) {
+        const tr_group *g = &world->group[k];
+        for (int i = 0; i < g->n; i++) {
+            if (!touches(world, g, i)) continue;
+            z[g->b[i]]++;
+            if (g->walls)
+                wall_z[g->a[i]]++;
+            else
+                z[g->a[i]]++;
+        }
+    }
+    for (int k = 0; k < 2; k++) {
+        const tr_group *g = &world->group[k];
+        for (int i = 0; i < g->n; i++) {
+            if (!touches(world, g, i)) continue;
+            size_t a = (size_t)g->a[i], b = (size_t)g->b[i];
+            const tr_wall *wall = &world->wall[g->walls ? a : 0];
+            tr_pair_bodies bodies = {g->pair[0][i], g->pair[1][i], g->walls ? INFINITY : d->mass[a], d->mass[b]};
+            share two = {z[b] * d->inv[4 * b], z[b] * d->inv[4 * b + 2]};
+            share one = {wall->mass > 0 ? wall_z[a < TR_MAX_WALLS ? a : 0] / wall->mass : 0, 0};
+            if (!g->walls) one = (share){z[a] * d->inv[4 * a], z[a] * d->inv[4 * a + 2]};
+            double dt = contact_limit(g, &bodies, bodies.R1, bodies.R2, one, two);
+            if (dt < limit.dt) limit = (tr_timestep_limit){dt, k, i};
+        }
+    }
+    return limit;
+}
+
+double tr_timestep_worst(const tr_world *world) {
+    const tr_disks *d = &world->disks;
+    double bound = INFINITY, r_min = INFINITY;
+    for (int i = 0; i < d->n; i++) r_min = fmin(r_min, d->pos[4 * (size_t)i + 3]);
+    for (int i = 0; i < d->n; i++) {
+        double R = d->pos[4 * (size_t)i + 3], m = d->mass[i];
+        double kissing = floor(M_PI / asin(r_min / (R + r_min)) + 1e-9), others = d->n - 1 + world->n_walls;
+        double z = fmin(kissing, others);
+        share own = {z * d->inv[4 * (size_t)i], z * d->inv[4 * (size_t)i + 2]}, fixed = {0, 0};
+        tr_pair_bodies twins = {R, R, m, m}, wall = {0, R, INFINITY, m};
+        if (d->n > 1) bound = fmin(bound, contact_limit(&world->group[0], &twins, R, R, own, own));
+        if (world->n_walls) bound = fmin(bound, contact_limit(&world->group[1], &wall, 0, R, fixed, own));
+    }
+    return bound;
+}
+
+bool tr_timestep_choose(tr_world *world, const tr_scene_step *step, double fallback, double *bound, tr_status *st) {
+    *bound = tr_timestep_worst(world);
+    world->dt = step->dt > 0 ? step->dt : isinf(*bound) ? fallback : step->safety * *bound;
+    world->allow_unstable = step->allow_unstable;
+    if (world->dt <= *bound || step->allow_unstable) return true;
+    return tr_status_fail(
+        st, TR_BAD_CASE,
+        "error: step.dt = %.4g s is above the stability bound %.4g s; give less, or step.allow_unstable: yes",
+        world->dt, *bound);
+}

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT */
+/* The largest stable step of the leapfrog. Source [Irons1971].
+ *
+ * A mode of angular frequency w and damping ratio zeta is stable for dt < (2/w)(sqrt(1+zeta^2) - zeta), the damping
+ * force being taken at the half step before. For a whole sample that means dt^2 x'Kx + 2 dt x'Cx <= 4 x'Mx for every
+ * motion x. K and C are sums over contacts; share the mass of each body equally among its z contacts and M is one too,
+ * so that it is enough that every single contact satisfies the inequality with its two shares m/z, I/z. A single
+ * contact has one normal mode and two tangential ones, known in closed form:
+ *
+ *   normal     s (k dt^2 + 2 c dt) = 4,  s = z1/m1 + z2/m2
+ *   tangential sliding (k_t) and rolling (k_r) stiffness coupled through the spins: larger eigenvalue of a 2 x 2 matrix
+ *
+ * Never above the exact bound; equal to it on a chain, 0.7-0.9 of it in a packing. Gershgorin's circles, the usual
+ * choice, mix units of force and torque and give as little as 0.02.
+ */
+#ifndef TR_TIMESTEP_H
+#define TR_TIMESTEP_H
+
+#include "core/world.h"
+
+typedef struct tr_timestep_limit {
+    double dt;          /* [s]; infinite if nothing touches */
+    int group, contact; /* which contact sets it */
+} tr_timestep_limit;
+
+/* The bound of the contacts that touch now. */
+tr_timestep_limit tr_timestep_contacts(const tr_world *world);
+
+/* A bound for any packing of the world's disks: each disk touched by as many of the smallest disks as fit around it
+ * (and no more bodies than there are). For choosing dt before the contacts are known [s]. */
+double tr_timestep_worst(const tr_world *world);
+
+/* Sets world->dt: the step given, or safety * *bound with *bound = tr_timestep_worst, or `fallback` if nothing can
+ * vibrate (bound infinite). A given step above the bound is refused (TR_BAD_CASE) unless the case allows it. Call it
+ * after the laws are set. */
+bool tr_timestep_choose(tr_world *world, const tr_scene_step *step, double fallback, double *bound, tr_status *st);
+
+#endif

@@ -1,0 +1,136 @@
+/* SPDX-License-Identifier: MIT */
+#include "core/world.h"
+
+#include "base/alloc.h"
+#include "core/arcs.h"
+#include "core/ledger.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double WIDE_SKIN = 0.30, THIN_SKIN = 0.05; /* of the mean diameter; the speed is flat around these */
+
+bool tr_world_init(tr_world *world, int n, tr_status *st) {
+    *world = (tr_world){.disks.n = n, .group[1].walls = true, .stale = true};
+    tr_disks *d = &world->disks;
+    size_t lanes = (size_t)n * 4;
+    world->broad = tr_broad_choose(n);
+    bool ok = (world->tile = tr_alloc(1, sizeof *world->tile, st)) && (d->pos = tr_alloc(lanes, sizeof(double), st)) &&
+              (d->vel = tr_alloc(lanes, sizeof(double), st)) && (d->force = tr_alloc(lanes, sizeof(double), st)) &&
+              (d->inv = tr_alloc(lanes, sizeof(double), st)) && (d->mass = tr_alloc((size_t)n, sizeof(double), st)) &&
+              (d->coordination = tr_alloc((size_t)n, sizeof(int), st)) &&
+              (world->wide_ref = tr_alloc(lanes / 2, sizeof(double), st)) &&
+              (world->thin_ref = tr_alloc(lanes / 2, sizeof(double), st));
+    if (!ok) tr_world_free(world);
+    return ok;
+}
+
+static void group_free(tr_group *g) {
+    free(g->a), free(g->b), free(g->old_a), free(g->old_b);
+    for (int k = 0; k < TR_GROUP_HIST; k++) free(g->hist[k]), free(g->old_hist[k]);
+    for (int k = 0; k < TR_GROUP_PAIR; k++) free(g->pair[k]);
+    *g = (tr_group){.walls = g->walls};
+}
+
+void tr_world_free(tr_world *world) {
+    tr_disks *d = &world->disks;
+    free(d->pos), free(d->vel), free(d->force), free(d->inv), free(d->load), free(d->mass);
+    free(d->coordination);
+    free(world->wide_ref), free(world->thin_ref), free(world->ledger), free(world->tile);
+    group_free(&world->group[0]), group_free(&world->group[1]);
+    if (world->finder) world->broad->destroy(world->finder);
+    tr_pairs_free(&world->near);
+    *world = (tr_world){0};
+}
+
+void tr_world_set_disk(tr_world *world, int i, double x, double y, double angle, double radius, double density,
+                       bool prescribed) {
+    double *pos = world->disks.pos + 4 * (size_t)i, *inv = world->disks.inv + 4 * (size_t)i;
+    double m = density * M_PI * radius * radius;
+    pos[0] = x, pos[1] = y, pos[2] = angle, pos[3] = radius;
+    world->disks.mass[i] = m;
+    inv[0] = inv[1] = prescribed ? 0 : 1 / m;
+    inv[2] = prescribed ? 0 : 2 / (m * radius * radius);
+    world->stale = true;
+}
+
+static void group_take(tr_group *g, int which, const tr_law *law, const tr_scene_law *chosen) {
+    tr_slot *slot = &g->slot[which];
+    slot->law = law;
+    if (chosen) memcpy(slot->par, chosen->par, sizeof slot->par);
+    slot->hist = g->n_hist, g->n_hist += law->n_hist;
+    slot->pair = g->n_pair, g->n_pair += law->n_pair;
+}
+
+static void group_add_pass(tr_group *g, const char *name, tr_pass_run *run, const tr_slot *slot) {
+    g->pass[g->n_pass++] = (tr_pass){name, run, slot, NULL};
+}
+
+void tr_group_attach(tr_group *group, tr_sink *sink, const char *name, tr_pass_run *run, int n_hist) {
+    sink->group = group;
+    sink->hist = group->n_hist, group->n_hist += n_hist;
+    group->pass[group->n_pass++] = (tr_pass){name, run, NULL, sink};
+}
+
+/* The list of passes a scene asked for: what it leaves out is not there. */
+static void group_choose(tr_group *g, const tr_scene_contact *contact, bool normal_only, int rolling_velocity) {
+    group_free(g);
+    g->n_pair = 3;
+    const tr_law *none_f = NULL, *none_r = NULL;
+    for (int i = 0; !none_f; i++) none_f = tr_laws_friction[i]->step ? NULL : tr_laws_friction[i];
+    for (int i = 0; !none_r; i++) none_r = tr_laws_rolling[i]->step ? NULL : tr_laws_rolling[i];
+    group_take(g, TR_NORMAL, tr_laws_normal[contact->normal.law], &contact->normal);
+    group_take(g, TR_FRICTION, normal_only ? none_f : tr_laws_friction[contact->friction.law], &contact->friction);
+    group_take(g, TR_ROLLING, normal_only ? none_r : tr_laws_rolling[contact->rolling.law], &contact->rolling);
+    const tr_law *friction = g->slot[TR_FRICTION].law, *rolling = g->slot[TR_ROLLING].law;
+    g->spins = friction->step || rolling->step;
+
+    group_add_pass(g, "kinematics", g->walls ? tr_kinematics_wall : tr_kinematics_pair, NULL);
+    group_add_pass(g, "normal", g->slot[TR_NORMAL].law->step, &g->slot[TR_NORMAL]);
+    if (friction->step) group_add_pass(g, "friction", friction->step, &g->slot[TR_FRICTION]);
+    if (rolling->needs & TR_NEEDS_V_R)
+        group_add_pass(g, "rolling velocity", tr_rolling_velocities[rolling_velocity].step, NULL);
+    if (rolling->step) group_add_pass(g, "rolling", rolling->step, &g->slot[TR_ROLLING]);
+    group_add_pass(g, "resultant", g->spins ? tr_resultant_full : tr_resultant_central, NULL);
+}
+
+bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool smooth_walls, unsigned sinks,
+                       tr_status *st) {
+    double sum = 0;
+    for (int i = 0; i < world->disks.n; i++) sum += 2 * world->disks.pos[4 * (size_t)i + 3];
+    world->wide_skin = WIDE_SKIN * sum / world->disks.n;
+    world->thin_skin = THIN_SKIN * sum / world->disks.n;
+    world->rolling_velocity = contact->rolling_velocity;
+    world->stale = world->fresh = true;
+    world->near.n = 0;
+    memset(world->tile, 0, sizeof *world->tile); /* lanes that no pass of the new pipeline writes are 0 */
+    free(world->ledger);
+    world->ledger = NULL;
+    if (sinks & TR_SINK_LEDGER && !(world->ledger = tr_alloc(1, sizeof *world->ledger, st))) return false;
+    for (int k = 0; k < 2; k++) {
+        tr_group *g = &world->group[k];
+        group_choose(g, contact, g->walls && smooth_walls, contact->rolling_velocity);
+        if (sinks & TR_SINK_LEDGER) tr_ledger_attach(g, world->ledger);
+        if (sinks & TR_SINK_ARCS) tr_arcs_attach(g);
+    }
+    if (world->finder) world->broad->destroy(world->finder);
+    world->finder = world->broad->create(&(tr_broad_input){world->disks.n, world->disks.pos, world->wide_skin}, st);
+    return world->finder != NULL;
+}
+
+tr_law_data tr_group_data(const tr_group *group, const tr_slot *slot, int first, double dt) {
+    tr_law_data data = {.par = slot->par, .dt = dt};
+    for (int k = 0; k < slot->law->n_hist; k++) data.hist[k] = group->hist[slot->hist + k] + first;
+    for (int k = 0; k < slot->law->n_pair; k++) data.pair[k] = group->pair[slot->pair + k] + first;
+    return data;
+}
+
+size_t tr_world_bytes(const tr_world *world) {
+    size_t bytes = sizeof *world + (size_t)world->disks.n * (4 * 4 + 1 + 4) * sizeof(double);
+    if (world->disks.load) bytes += (size_t)world->disks.n * 4 * sizeof(double);
+    for (int k = 0; k < 2; k++) {
+        const tr_group *g = &world->group[k];
+        bytes += (size_t)g->capacity * (4 * sizeof(int) + (size_t)(2 * g->n_hist + g->n_pair) * sizeof(double));
+    }
+    return bytes + (size_t)world->near.capacity * 2 * sizeof(int);
+}

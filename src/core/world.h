@@ -1,0 +1,165 @@
+/* SPDX-License-Identifier: MIT */
+/* The state of a scene: disks, walls, contacts, and the pipeline of passes chosen for it. The step itself is in step.c.
+ *
+ * DATA PICTURE. A disk is four doubles in each of four arrays, so that one disk is one 32-byte load and the integrator
+ * is one loop over 4n numbers:
+ *
+ *     pos   x     y     theta  R         vel   vx    vy    w      0
+ *     force fx    fy    torque 0         inv   1/m   1/m   1/I    0
+ *
+ * Contacts of a group (disk-disk, wall-disk) are structure-of-arrays, sorted by (a, b): ids, pair constants, histories.
+ * The broad phase fills `near` (all pairs closer than a wide skin, rare); a refresh prunes it to the list the step
+ * walks (a thin skin, more often) and carries the histories over by id. A contact that opens forgets its history, so a
+ * pair that leaves the list loses nothing. Rejected: one struct per contact (no vector code), history keyed by hash
+ * (pointers, no restart), calling the broad phase every step (three times the cost of the forces at 400 disks).
+ *
+ * TIME. Leapfrog: at time n*dt positions are x^n and velocities v^(n-1/2). tr_step_forces makes the forces of time n,
+ * which is where sinks look; tr_step_advance kicks to v^(n+1/2) and drifts to x^(n+1).
+ *
+ * Two worlds may run side by side: there are no globals. A step allocates nothing, except when a refresh finds more
+ * contacts than ever before.
+ */
+#ifndef TR_WORLD_H
+#define TR_WORLD_H
+
+#include "broad/broad.h"
+#include "laws/law.h"
+#include "scene/scene.h"
+#include <stdint.h>
+
+enum {
+    TR_MAX_PASSES = 8,
+    TR_MAX_WALLS = 128,
+    TR_MAX_ROLLING_VELOCITIES = 8,
+    TR_GROUP_HIST = 3 * TR_MAX_HIST + 8, /* laws of three slots, and the sinks */
+    TR_GROUP_PAIR = 3 + 3 * TR_MAX_PAIR  /* R1, R2, g1, and the laws of three slots */
+};
+
+typedef struct tr_disks {
+    int n;
+    double *pos, *vel, *force, *inv; /* n*4 each, see above; inv is 0 for a disk whose motion is prescribed */
+    double *load;                    /* n*4: what acts on a disk besides contacts (weight); NULL: nothing does */
+    double *mass;                    /* n [kg/m] */
+    int *coordination;               /* n: touching contacts of each, as of the last tr_timestep_contacts */
+} tr_disks;
+
+/* A rigid plane through (x, y); the disks are on the side of its unit normal. It does not rotate. */
+typedef struct tr_wall {
+    double x, y, nx, ny; /* [m] */
+    double vx, vy;       /* [m/s] */
+    double mass;         /* [kg/m]; 0: the wall moves as it is told; > 0: a piston along its normal */
+    double load;         /* what pushes a piston along its normal [N/m] */
+    double v_max;        /* speed limit of a piston [m/s] */
+    double fx, fy;       /* force of the disks on the wall [N/m] */
+    double length;       /* [m] stress = force/length; 0: endless */
+} tr_wall;
+
+/* A law at work: its row, its parameters, and where its arrays start in the group. law->step == NULL: nothing to do. */
+typedef struct tr_slot {
+    const tr_law *law;
+    double par[TR_LAW_PAR];
+    int hist, pair;
+} tr_slot;
+
+typedef struct tr_group tr_group;
+typedef struct tr_ledger tr_ledger;
+
+/* A sink reads finished tiles, and may keep histories of its own that follow the ids. */
+typedef struct tr_sink {
+    tr_group *group;
+    tr_ledger *ledger; /* NULL for other sinks */
+    int hist;          /* the first of its arrays in group->hist */
+} tr_sink;
+
+/* A pass belongs to a law (slot), to a sink, or to neither (kinematics). A sink's pass gets the tr_sink as data->par.
+ */
+typedef struct tr_pass {
+    const char *name;
+    tr_pass_run *run;
+    const tr_slot *slot;
+    const tr_sink *sink;
+} tr_pass;
+
+enum { TR_NORMAL, TR_FRICTION, TR_ROLLING, TR_N_SLOTS };
+
+/* Contacts that share a pipeline. In the group of walls, a is the number of a wall. */
+struct tr_group {
+    bool walls;
+    bool spins; /* friction or rolling: spins are gathered and torques scattered */
+    int n, capacity;
+    int *a, *b;
+    int n_hist, n_pair;
+    double *hist[TR_GROUP_HIST];
+    double *pair[TR_GROUP_PAIR]; /* the first three: R1, R2, g1 */
+    tr_slot slot[TR_N_SLOTS];
+    tr_sink ledger_sink, arcs_sink; /* group == NULL: not attached */
+    tr_pass pass[TR_MAX_PASSES];
+    int n_pass;
+    int *old_a, *old_b; /* the list before a refresh, while histories are carried over */
+    double *old_hist[TR_GROUP_HIST];
+};
+
+/* Energy by mechanism; see ledger.h. */
+struct tr_ledger {
+    double damped, friction, rolling; /* dissipated [N] (J per metre of length) */
+    double work;                      /* done by the walls on the disks [N] */
+    double start;                     /* energy of the disks and contacts when the ledger began [N] */
+    double wall_fx[TR_MAX_WALLS], wall_fy[TR_MAX_WALLS]; /* of the step before */
+};
+
+typedef struct tr_world {
+    double dt;               /* [s]; set by the driver, see timestep.h */
+    bool allow_unstable;     /* do not fail when dt is above the bound of the contacts */
+    int64_t steps;           /* taken so far; time = steps * dt */
+    int64_t contact_updates; /* touching contacts, summed over the steps */
+    tr_disks disks;
+    tr_wall wall[TR_MAX_WALLS];
+    int n_walls;
+    int rolling_velocity; /* index into tr_rolling_velocities */
+    tr_group group[2];    /* disk-disk, wall-disk */
+    tr_ledger *ledger;    /* NULL: not kept */
+    tr_tile *tile;        /* one, reused; allocated apart because its lanes are aligned */
+    /* pair finding */
+    const tr_broad_finder *broad;
+    void *finder;
+    tr_pairs near;
+    double wide_skin, thin_skin; /* [m] */
+    double *wide_ref, *thin_ref; /* n*2: centres at the last search, at the last refresh [m] */
+    double wall_moved;           /* how far any wall has moved since the last refresh, at most [m] */
+    double wall_moved_wide;      /* the same since the last search */
+    bool fresh;                  /* laws were just set: nothing has moved since the histories were zero */
+    bool stale;                  /* the list no longer holds every pair that may touch */
+    int64_t searches, refreshes;
+} tr_world;
+
+/* Which sinks a world keeps. */
+typedef enum tr_sinks {
+    TR_SINK_LEDGER = 1, /* energy by mechanism */
+    TR_SINK_ARCS = 2,   /* da, db of each contact since it formed */
+} tr_sinks;
+
+/* A world of n disks (numbers 0..n-1), all at rest at 0 with radius and mass 0: the caller sets disks, then
+ * walls, then laws. A world must not be copied or moved once its laws are set (passes point into it). */
+bool tr_world_init(tr_world *world, int n, tr_status *st);
+void tr_world_free(tr_world *world);
+
+/* Centre [m], angle [rad], radius [m], density [kg/m^3]; I = m R^2/2. prescribed: keeps its velocity whatever acts on
+ * it. */
+void tr_world_set_disk(tr_world *world, int i, double x, double y, double angle, double radius, double density,
+                       bool prescribed);
+
+/* Chooses the pipeline: disk-disk contacts get the laws of `contact`, wall-disk contacts too, or only the normal law if
+ * smooth_walls. Contact histories start at zero. Call it after the radii are set. */
+bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool smooth_walls, unsigned sinks,
+                       tr_status *st);
+
+/* Adds a sink at the end of a pipeline, with n_hist arrays of its own. */
+void tr_group_attach(tr_group *group, tr_sink *sink, const char *name, tr_pass_run *run, int n_hist);
+
+/* What the law of a slot sees of the contacts from `first` on. */
+tr_law_data tr_group_data(const tr_group *group, const tr_slot *slot, int first, double dt);
+
+/* Bytes that the world holds. */
+size_t tr_world_bytes(const tr_world *world);
+
+#endif

@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: MIT */
+/* Pictures of a world: frames of 1280 x 720 drawn off-screen, saved as PNG or sent to a film.
+ *
+ * A canvas is made once and drawn over for every frame. What to draw is a tr_view; nothing is read from anywhere else,
+ * and the same view gives the same pixels. In all strings `_` lowers the next character: "V_s". */
+#ifndef TR_DRAW_H
+#define TR_DRAW_H
+
+#include "base/status.h"
+#include "core/record.h"
+#include "core/world.h"
+#include "scene/scene.h"
+#include <stdbool.h>
+
+enum { TR_FRAME_WIDTH = 1280, TR_FRAME_HEIGHT = 720 };
+
+/* One row of the side panel; a value carries its unit. */
+typedef struct tr_view_line {
+    const char *label, *value;
+} tr_view_line;
+
+/* What a frame shows. For a film that does not flicker keep range, f_mean and the box the same in all of its frames. */
+typedef struct tr_view {
+    const tr_world *world;
+    const tr_record *record; /* touching contacts */
+    int n_records;
+    tr_color color;        /* biaxial: field that colours the contacts */
+    double range;          /* biaxial: end of the colour bar [1 or m/s]; bodies: speed of a full bar or longest
+                              arrow [m/s]. 0: chosen from this frame */
+    double f_mean;         /* biaxial: normal force drawn as a line of mean width [N/m]; 0: this frame's mean */
+    double x0, y0, x1, y1; /* part of the plane that is shown, x0 < x1, y0 < y1 [m] */
+    double time, time_end; /* [s]; the unit in print is chosen by time_end, so that it stays */
+    const char *title;     /* NULL: none, the picture takes its place */
+    const tr_view_line *line;
+    int n_lines;
+} tr_view;
+
+typedef struct tr_canvas tr_canvas;
+
+/* NULL and TR_FILE when memory is short. Free with tr_canvas_free (NULL is allowed). */
+tr_canvas *tr_canvas_create(tr_status *st);
+void tr_canvas_free(tr_canvas *canvas);
+
+/* The pixels, row by row from the top, 4 bytes each: blue, green, red, unused. */
+const unsigned char *tr_canvas_pixels(const tr_canvas *canvas);
+
+/* Writes path.part, then renames it to path. On failure TR_FILE: path is as it was, no part is left. */
+bool tr_canvas_png(const tr_canvas *canvas, const char *path, tr_status *st);
+
+/* Biaxial test: world->wall is bottom, top, left, right. A wall with mass is drawn as loaded, one without as driven. */
+void tr_draw_biaxial(tr_canvas *canvas, const tr_view *view);
+
+/* A few bodies, for teaching: rim ticks, the arcs da and db, velocities, and V_s and V_r by every definition for the
+ * first four contacts. */
+void tr_draw_bodies(tr_canvas *canvas, const tr_view *view);
+
+/* A round end for the colour bar: smallest 1, 2 or 5 times a power of ten that covers 95 % of the contacts; 1 for
+ * mobilisation, and where all is at rest. [1 or m/s] */
+double tr_frame_range(const tr_record *record, int n, tr_color color);
+
+/* The same for bodies: covers every speed of centres, rims, and contacts in this state. [m/s] */
+double tr_frame_range_bodies(const tr_world *world, const tr_record *record, int n);
+
+/* A film: frames go through a pipe to ffmpeg, which must be on the PATH. */
+typedef struct tr_video tr_video;
+
+bool tr_video_available(void);
+
+/* Starts ffmpeg writing path.part, H.264 in MP4. NULL and TR_FILE when it cannot start. */
+tr_video *tr_video_open(const char *path, int frames_per_second, tr_status *st);
+
+/* Appends what the canvas shows. TR_FILE, and ffmpeg's own words, when it has died; tr_video_close is still due. */
+bool tr_video_frame(tr_video *video, const tr_canvas *canvas, tr_status *st);
+
+/* Ends the film and frees it. With all frames taken renames path.part to path; otherwise, or with keep = false, removes
+ * it. False and TR_FILE when ffmpeg failed or no frame was sent. NULL is allowed and true. */
+bool tr_video_close(tr_video *video, bool keep, tr_status *st);
+
+#endif

@@ -1,0 +1,174 @@
+/* SPDX-License-Identifier: MIT */
+/* A biaxial test: packing, force network over it, walls with what drives them.
+ *
+ * Cost is in strokes, so all disks are filled as one path (rims first, then the slightly smaller bodies: two fills cost
+ * less than one stroke), and contact lines are quadrilaterals, one path for each of a few dozen colours. */
+#include "draw/frame.h"
+
+#include <math.h>
+#include <stdio.h>
+
+enum { N_COLORS = 32 };
+
+static tr_point disk_point(const tr_view *view, const tr_map *map, int i, double *radius) {
+    const double *p = view->world->disks.pos + 4 * i;
+    *radius = p[3] * map->scale;
+    return tr_frame_point(map, p[0], p[1]);
+}
+
+static void draw_disks(cairo_t *cr, const tr_view *view, const tr_map *map) {
+    double r;
+    for (int pass = 0; pass < 2; pass++) {
+        for (int i = 0; i < view->world->disks.n; i++) {
+            tr_point p = disk_point(view, map, i, &r);
+            if (tr_frame_seen(p, r)) tr_pen_add_disk(cr, p, pass ? fmax(r - 1.2, 0.5 * r) : r);
+        }
+        tr_pen_hue(cr, pass ? TR_DISK : TR_RIM);
+        cairo_fill(cr);
+    }
+    for (int i = 0; i < view->world->disks.n; i++) { /* the tick that shows rotation */
+        tr_point p = disk_point(view, map, i, &r);
+        double angle = view->world->disks.pos[4 * i + 2], c = cos(angle), s = sin(angle);
+        if (!tr_frame_seen(p, r) || !isfinite(angle)) continue;
+        cairo_move_to(cr, p.x + 0.4 * r * c, p.y - 0.4 * r * s);
+        cairo_line_to(cr, p.x + r * c, p.y - r * s);
+    }
+    tr_pen_hue(cr, TR_FAINT);
+    cairo_set_line_width(cr, 2.5);
+    cairo_stroke(cr);
+}
+
+static double mean_force(const tr_view *view) {
+    double sum = 0;
+    for (int i = 0; i < view->n_records; i++) sum += view->record[i].f_n;
+    return view->n_records ? sum / view->n_records : 0;
+}
+
+static double field_of(const tr_record *r, tr_color color) {
+    return color == TR_COLOR_MOBILISATION ? r->mobilisation : fabs(color == TR_COLOR_SLIDING ? r->v_s : r->v_r);
+}
+
+/* From centre to centre; at a wall from the contact point to the centre. */
+static bool branch(const tr_view *view, const tr_map *map, const tr_record *r, tr_point *p, tr_point *q) {
+    double rp = 1, rq;
+    *p = r->a >= 0 ? disk_point(view, map, r->a, &rp) : tr_frame_point(map, r->x, r->y);
+    *q = disk_point(view, map, r->b, &rq);
+    return tr_frame_seen(*p, rp) && tr_frame_seen(*q, rq);
+}
+
+/* Width of a line of mean force: a quarter of the mean radius [px]. */
+static double mean_width(const tr_view *view, const tr_map *map) {
+    double sum = 0;
+    for (int i = 0; i < view->world->disks.n; i++) sum += view->world->disks.pos[4 * i + 3];
+    return 0.25 * map->scale * sum / fmax(view->world->disks.n, 1);
+}
+
+static void draw_contacts(cairo_t *cr, const tr_view *view, const tr_map *map, double range, double mean) {
+    double unit = mean_width(view, map), thinnest = 0.15 * unit, widest = 4 * unit;
+    for (int c = 0; c < N_COLORS; c++) {
+        for (int i = 0; i < view->n_records; i++) {
+            const tr_record *r = &view->record[i];
+            double u = field_of(r, view->color) / range;
+            int color = u > 0 ? (u < 1 ? (int)(u * N_COLORS) : N_COLORS - 1) : 0;
+            tr_point p, q;
+            if (color != c || !(r->f_n > 0) || !branch(view, map, r, &p, &q)) continue;
+            double length = hypot(q.x - p.x, q.y - p.y);
+            double width = fmin(fmax(unit * r->f_n / mean, thinnest), widest);
+            if (!(length > 0)) continue;
+            /* half a width along and across; a little longer than the branch, so that bends of a chain close */
+            double ex = 0.5 * width * (q.x - p.x) / length, ey = 0.5 * width * (q.y - p.y) / length;
+            p = (tr_point){p.x - 0.4 * ex, p.y - 0.4 * ey};
+            q = (tr_point){q.x + 0.4 * ex, q.y + 0.4 * ey};
+            cairo_move_to(cr, p.x - ey, p.y + ex);
+            cairo_line_to(cr, q.x - ey, q.y + ex);
+            cairo_line_to(cr, q.x + ey, q.y - ex);
+            cairo_line_to(cr, p.x + ey, p.y - ex);
+            cairo_close_path(cr);
+        }
+        tr_pen_rgb(cr, tr_palette_sequential((c + 0.5) / N_COLORS));
+        cairo_fill(cr);
+    }
+}
+
+/* Bars along the box that the four walls make; a loaded wall gets a row of pressure arrows, a driven one an arrow its
+ * way. */
+static void draw_walls(cairo_t *cr, const tr_view *view, const tr_map *map) {
+    const tr_wall *wall = view->world->wall;
+    const double bar = 10;
+    if (view->world->n_walls < 4) return;
+    tr_point low = tr_frame_point(map, wall[2].x, wall[0].y), high = tr_frame_point(map, wall[3].x, wall[1].y);
+    if (!tr_frame_seen(low, 1) || !tr_frame_seen(high, 1)) return;
+    tr_point corner[4][2] = {
+        {low, {high.x, low.y}}, {{low.x, high.y}, high}, {low, {low.x, high.y}}, {{high.x, low.y}, high}};
+    for (int w = 0; w < 4; w++) {
+        tr_point p = corner[w][0], q = corner[w][1], out = {-wall[w].nx, wall[w].ny}; /* away from the disks, y down */
+        double ex = out.x * bar / 2, ey = out.y * bar / 2;
+        tr_pen_hue(cr, TR_WALL);
+        double over = w < 2 ? bar : 0; /* the horizontal bars close the corners */
+        tr_pen_line(cr, (tr_point){p.x + ex - over, p.y + ey}, (tr_point){q.x + ex + over, q.y + ey}, bar);
+        bool loaded = wall[w].mass > 0, driven = !loaded && (wall[w].vx != 0 || wall[w].vy != 0);
+        int n = loaded ? 7 : driven ? 1 : 0;
+        double inward = loaded || wall[w].vx * wall[w].nx + wall[w].vy * wall[w].ny > 0 ? 1 : -1;
+        tr_pen_hue(cr, loaded ? TR_BLUE : TR_VERMILLION);
+        for (int k = 0; k < n; k++) {
+            double f = (k + 0.5) / n, length = loaded ? 26 : 40, near = bar + 4, far = near + length;
+            tr_point at = {p.x + f * (q.x - p.x), p.y + f * (q.y - p.y)};
+            tr_point from = {at.x + far * out.x, at.y + far * out.y}, to = {at.x + near * out.x, at.y + near * out.y};
+            tr_pen_arrow(cr, inward > 0 ? from : to, inward > 0 ? to : from, loaded ? 2.5 : 7);
+        }
+    }
+}
+
+static void draw_color_bar(cairo_t *cr, const tr_view *view, double range, double y) {
+    static const char *const name[] = {"friction used  |f_t| / (μ f_n)", "sliding velocity  |V_s|",
+                                       "rolling velocity  |V_r|"};
+    tr_unit unit = {.size = 1, .name = "", .decimals = 1};
+    char label[96], number[32];
+    snprintf(label, sizeof label, "%s", name[view->color]);
+    if (view->color != TR_COLOR_MOBILISATION) {
+        unit = tr_frame_unit(range, "m/s");
+        unit.decimals = range / unit.size < 2 ? 1 : 0;
+        snprintf(label, sizeof label, "%s  [%s]", name[view->color], unit.name);
+    }
+    tr_pen_text(cr, (tr_text){.x = TR_PANEL_X, .y = y, .size = 24, .room = TR_PANEL_W}, label);
+    cairo_pattern_t *ramp = cairo_pattern_create_linear(TR_PANEL_X, 0, TR_PANEL_X + TR_PANEL_W, 0);
+    for (int i = 0; i <= 40; i++) {
+        tr_rgb c = tr_palette_sequential(i / 40.0);
+        cairo_pattern_add_color_stop_rgb(ramp, i / 40.0, c.r, c.g, c.b);
+    }
+    cairo_rectangle(cr, TR_PANEL_X, y + 16, TR_PANEL_W, 28);
+    cairo_set_source(cr, ramp);
+    cairo_fill(cr);
+    cairo_pattern_destroy(ramp);
+    for (int i = 0; i <= 2; i++) {
+        tr_frame_number(number, sizeof number, i * range / 2, &unit, false);
+        tr_pen_text(cr,
+                    (tr_text){.x = TR_PANEL_X + i * TR_PANEL_W / 2.0, .y = y + 70, .size = 24, .align = (tr_align)i},
+                    number);
+    }
+}
+
+static void draw_width_key(cairo_t *cr, double mean, double width, double y) {
+    tr_unit unit = tr_frame_unit(mean, "N/m");
+    char number[32], label[64];
+    tr_frame_number(number, sizeof number, mean, &unit, false);
+    snprintf(label, sizeof label, "mean force f_n = %s %s", number, unit.name);
+    tr_pen_hue(cr, TR_FAINT);
+    tr_pen_line(cr, (tr_point){TR_PANEL_X, y - 8}, (tr_point){TR_PANEL_X + 48, y - 8}, width);
+    tr_pen_text(cr, (tr_text){.x = TR_PANEL_X + 64, .y = y, .size = 22, .room = TR_PANEL_W - 64}, label);
+}
+
+void tr_draw_biaxial(tr_canvas *canvas, const tr_view *view) {
+    cairo_t *cr = canvas->cr;
+    double y, mean = view->f_mean > 0 ? view->f_mean : mean_force(view);
+    double range = view->range > 0 ? view->range : tr_frame_range(view->record, view->n_records, view->color);
+    tr_map map = tr_frame_start(cr, view, &y);
+    y = TR_FRAME_HEIGHT - TR_EDGE - 72;
+    draw_color_bar(cr, view, range, y);
+    if (map.scale == 0) return;
+    draw_disks(cr, view, &map);
+    bool forces = mean > 0 && isfinite(mean);
+    if (forces) draw_contacts(cr, view, &map, range, mean);
+    draw_walls(cr, view, &map);
+    if (forces) draw_width_key(cr, mean, mean_width(view, &map), y - 52);
+}

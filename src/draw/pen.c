@@ -1,0 +1,124 @@
+/* SPDX-License-Identifier: MIT */
+/* Strokes and text on a Cairo surface. */
+#include "draw/pen.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+void tr_pen_rgb(cairo_t *cr, tr_rgb c) {
+    cairo_set_source_rgb(cr, c.r, c.g, c.b);
+}
+
+void tr_pen_hue(cairo_t *cr, unsigned hue) {
+    tr_pen_rgb(cr, tr_palette_hue(hue));
+}
+
+static size_t character_bytes(const char *s) {
+    size_t n = 1;
+    while (((unsigned char)s[n] & 0xC0) == 0x80) n++;
+    return n;
+}
+
+/* Walks the runs of plain and lowered text; draws them when asked. Returns the width. */
+static double set_text(cairo_t *cr, double x, double y, double size, const char *text, bool draw) {
+    const double start = x;
+    while (*text) {
+        bool low = *text == '_' && text[1];
+        if (low) text++;
+        size_t n = low ? character_bytes(text) : 1 + strcspn(text + 1, "_");
+        char run[128];
+        if (n >= sizeof run) {
+            n = sizeof run - 1;
+            while (((unsigned char)text[n] & 0xC0) == 0x80) n--;
+        }
+        memcpy(run, text, n);
+        run[n] = 0;
+        text += n;
+        cairo_set_font_size(cr, low ? 0.72 * size : size);
+        if (draw) {
+            cairo_move_to(cr, x, low ? y + 0.18 * size : y);
+            cairo_show_text(cr, run);
+        }
+        cairo_text_extents_t e;
+        cairo_text_extents(cr, run, &e);
+        x += e.x_advance;
+    }
+    return x - start;
+}
+
+double tr_pen_text(cairo_t *cr, tr_text at, const char *text) {
+    cairo_select_font_face(cr, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
+                           at.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+    tr_pen_hue(cr, at.hue ? at.hue : TR_INK);
+    double width = set_text(cr, 0, 0, at.size, text, false);
+    if (at.room > 0 && width > at.room) {
+        at.size *= at.room / width;
+        width = at.room;
+    }
+    set_text(cr, at.x - width * at.align / 2, at.y, at.size, text, true);
+    cairo_new_path(cr); /* show_text leaves a point behind */
+    return width;
+}
+
+void tr_pen_line(cairo_t *cr, tr_point from, tr_point to, double width) {
+    cairo_set_line_width(cr, width);
+    cairo_move_to(cr, from.x, from.y);
+    cairo_line_to(cr, to.x, to.y);
+    cairo_stroke(cr);
+}
+
+void tr_pen_add_disk(cairo_t *cr, tr_point at, double radius) {
+    cairo_new_sub_path(cr);
+    cairo_arc(cr, at.x, at.y, radius, 0, 2 * M_PI);
+    cairo_close_path(cr);
+}
+
+void tr_pen_dot(cairo_t *cr, tr_point at, double radius) {
+    tr_pen_add_disk(cr, at, radius);
+    cairo_fill(cr);
+}
+
+static double head_length(double width) {
+    return 3 * width + 4;
+}
+
+/* A triangle with its point at `tip`, looking along the unit vector u. */
+static void fill_head(cairo_t *cr, tr_point tip, tr_point u, double width) {
+    double l = head_length(width), h = 0.5 * l;
+    cairo_move_to(cr, tip.x, tip.y);
+    cairo_line_to(cr, tip.x - l * u.x - h * u.y, tip.y - l * u.y + h * u.x);
+    cairo_line_to(cr, tip.x - l * u.x + h * u.y, tip.y - l * u.y - h * u.x);
+    cairo_close_path(cr);
+    cairo_fill(cr);
+}
+
+void tr_pen_arrow(cairo_t *cr, tr_point from, tr_point to, double width) {
+    double dx = to.x - from.x, dy = to.y - from.y, length = hypot(dx, dy), head = head_length(width);
+    if (!(length > 0.5 * head)) return;
+    tr_point u = {dx / length, dy / length};
+    if (length > head) tr_pen_line(cr, from, (tr_point){to.x - 0.9 * head * u.x, to.y - 0.9 * head * u.y}, width);
+    fill_head(cr, to, u, width);
+}
+
+void tr_pen_arc(cairo_t *cr, tr_point c, double radius, double from, double sweep, double width, bool head) {
+    if (!(radius > 0) || sweep == 0) return;
+    double sign = sweep > 0 ? 1 : -1;
+    if (head) {
+        /* the shaft stops inside the head, whose point ends the sweep; an arc of less than a head is not drawn */
+        double back = 0.85 * head_length(width) / radius, a = from + sweep;
+        if (fabs(sweep) < back) return;
+        sweep -= sign * back;
+        double mid = a - 0.5 * sign * back; /* the chord of a bent head looks right, the tangent does not */
+        fill_head(cr, (tr_point){c.x + radius * cos(a), c.y - radius * sin(a)},
+                  (tr_point){-sign * sin(mid), -sign * cos(mid)}, width);
+    }
+    cairo_set_line_width(cr, width);
+    cairo_new_sub_path(cr);
+    /* the picture's y points down, so angles change sign and with them the direction */
+    if (sweep > 0)
+        cairo_arc_negative(cr, c.x, c.y, radius, -from, -(from + sweep));
+    else
+        cairo_arc(cr, c.x, c.y, radius, -from, -(from + sweep));
+    cairo_stroke(cr);
+}

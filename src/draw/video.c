@@ -1,0 +1,140 @@
+/* SPDX-License-Identifier: MIT */
+/* Films: raw frames through a socket to ffmpeg.
+ *
+ * A socket rather than a pipe, because send() can be told not to raise SIGPIPE when ffmpeg dies. ffmpeg gets a process
+ * group of its own, so that Ctrl-C reaches only us and the film so far is still ended properly. Its messages go to
+ * memory: they are shown as the reason of a failure and nowhere else. */
+#include "base/alloc.h"
+#include "draw/draw.h"
+#include "base/part.h"
+#include "base/program.h"
+#include <errno.h>
+#include <signal.h>
+#include <spawn.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char **environ;
+
+struct tr_video {
+    char *path, *part;
+    pid_t pid;
+    int input, log; /* our end of the socket; where ffmpeg complains */
+    int frames;     /* whole frames sent */
+    bool broken;    /* a frame was cut short */
+};
+
+bool tr_video_available(void) {
+    return tr_program_available("ffmpeg");
+}
+
+static bool start(tr_video *v, int input, int frames_per_second, tr_status *st) {
+    char size[32], rate[32];
+    snprintf(size, sizeof size, "%dx%d", TR_FRAME_WIDTH, TR_FRAME_HEIGHT);
+    snprintf(rate, sizeof rate, "%d", frames_per_second);
+    /* a URL of its own protocol, so that a colon or a dash in the path means nothing */
+    char *url = tr_alloc(strlen(v->part) + sizeof "file:", 1, st);
+    if (!url) return false;
+    strcat(strcpy(url, "file:"), v->part);
+    const char *args[] = {"ffmpeg",  "-nostdin", "-loglevel", "error",    "-f",        "rawvideo",  "-pix_fmt",
+                          "bgr0",    "-s",       size,        "-r",       rate,        "-i",        "pipe:0",
+                          "-c:v",    "libx264",  "-preset",   "veryfast", "-threads",  "2",         "-pix_fmt",
+                          "yuv420p", "-flags:v", "+bitexact", "-fflags",  "+bitexact", "-movflags", "+faststart",
+                          "-f",      "mp4",      "-y",        url,        NULL};
+    posix_spawn_file_actions_t files;
+    posix_spawnattr_t attr;
+    posix_spawn_file_actions_init(&files);
+    posix_spawnattr_init(&attr);
+    posix_spawn_file_actions_adddup2(&files, input, 0);
+    posix_spawn_file_actions_adddup2(&files, v->log, 1);
+    posix_spawn_file_actions_adddup2(&files, v->log, 2);
+    posix_spawnattr_setflags(&attr, POSIX_SPAWN_SETPGROUP);
+    int error = posix_spawnp(&v->pid, "ffmpeg", &files, &attr, (char *const *)args, environ);
+    posix_spawn_file_actions_destroy(&files);
+    posix_spawnattr_destroy(&attr);
+    free(url);
+    return error == 0 || tr_status_fail(st, TR_FILE, "error: cannot start ffmpeg: %s", strerror(error));
+}
+
+static void release(tr_video *v) {
+    if (v->input >= 0) close(v->input);
+    if (v->log >= 0) close(v->log);
+    free(v->path);
+    free(v->part);
+    free(v);
+}
+
+tr_video *tr_video_open(const char *path, int frames_per_second, tr_status *st) {
+    tr_video *v = tr_alloc(1, sizeof *v, st);
+    if (!v) return NULL;
+    int end[2] = {-1, -1};
+    v->log = memfd_create("ffmpeg", MFD_CLOEXEC);
+    v->input = -1;
+    v->part = tr_part_name(path, st);
+    v->path = tr_alloc(strlen(path) + 1, 1, st);
+    bool ok = v->part && v->path;
+    if (ok) strcpy(v->path, path);
+    if (ok && (v->log < 0 || socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, end) != 0))
+        ok = tr_status_fail(st, TR_FILE, "error: cannot start ffmpeg: %s", strerror(errno));
+    v->input = end[1];
+    ok = ok && start(v, end[0], frames_per_second, st);
+    if (end[0] >= 0) close(end[0]);
+    if (ok) return v;
+    release(v);
+    return NULL;
+}
+
+/* ffmpeg's complaints, without the line break at the end; "" if it had none. */
+static void read_log(const tr_video *v, char *text, size_t size) {
+    ssize_t n = pread(v->log, text, size - 1, 0);
+    while (n > 0 && text[n - 1] == '\n') n--;
+    text[n > 0 ? n : 0] = 0;
+}
+
+bool tr_video_frame(tr_video *v, const tr_canvas *canvas, tr_status *st) {
+    const unsigned char *at = tr_canvas_pixels(canvas), *end = at + 4 * TR_FRAME_WIDTH * TR_FRAME_HEIGHT;
+    while (at < end) {
+        ssize_t n = send(v->input, at, (size_t)(end - at), MSG_NOSIGNAL);
+        if (n >= 0) {
+            at += n;
+        } else if (errno != EINTR) {
+            int error = errno;
+            char said[512];
+            v->broken = true;
+            read_log(v, said, sizeof said);
+            return tr_status_fail(st, TR_FILE, "error: cannot write %s: ffmpeg stopped: %s", v->path,
+                                  *said ? said : strerror(error));
+        }
+    }
+    v->frames++;
+    return true;
+}
+
+bool tr_video_close(tr_video *v, bool keep, tr_status *st) {
+    if (!v) return true;
+    close(v->input);
+    v->input = -1;
+    int exit_status = -1;
+    while (waitpid(v->pid, &exit_status, 0) < 0 && errno == EINTR) {
+    }
+    bool ended = WIFEXITED(exit_status) && WEXITSTATUS(exit_status) == 0 && !v->broken && v->frames > 0;
+    bool ok = true;
+    if (ended && keep) {
+        ok = tr_part_keep(v->part, v->path, st);
+    } else {
+        remove(v->part);
+        char said[512];
+        read_log(v, said, sizeof said);
+        if (!ended) {
+            const char *why = v->frames == 0 ? "no frames" : *said ? said : "ffmpeg failed";
+            ok = tr_status_fail(st, TR_FILE, "error: cannot write %s: %s", v->path, why);
+        }
+    }
+    release(v);
+    return ok;
+}

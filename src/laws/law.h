@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: MIT */
+/* A contact law: one file with one loop over a tile of contacts, and one row in laws.c.
+ *
+ * THE WAY OF A CONTACT. Contacts lie in arrays sorted by (a, b), a < b (walls count as a). Each step walks them in
+ * tiles of TR_TILE. core/ gathers the relative motion of each pair into a tr_tile; then the passes of this folder run
+ * over it:
+ *
+ *     kinematics -> normal -> friction -> rolling velocity -> rolling -> resultant
+ *
+ * Every pass is a plain loop over the tile's arrays that a compiler turns into vector code: no branch on options, no
+ * call. A scene's pipeline is the list of passes it asked for; what it leaves out is not in the list. core/ then
+ * scatters the resultants to the bodies, and sinks (ledger, contact table) may read the finished tile.
+ *
+ * Body 1 is a, body 2 is b. n points from 1 to 2, t = n x k = (n_y, -n_x), rotations counter-clockwise.
+ */
+#ifndef TR_LAW_H
+#define TR_LAW_H
+
+#include "base/param.h"
+#include "base/vector.h"
+
+enum {
+    TR_TILE = 64,    /* contacts in a tile, which then stays in the first-level cache */
+    TR_MAX_HIST = 2, /* doubles of history that one law keeps per contact */
+    TR_MAX_PAIR = 2, /* pair constants that one law precomputes */
+};
+
+typedef double tr_lane[TR_TILE] __attribute__((aligned(64)));
+typedef tr_quad tr_quads[TR_TILE] __attribute__((aligned(64)));
+
+typedef struct tr_tile {
+    int first;    /* number of the tile's first contact in its group */
+    int n;        /* contacts in this tile */
+    int touching; /* of them with overlap > 0; counted by kinematics */
+    /* gather */
+    tr_quads x21;    /* x2 - x1: x, y [m]; two more that mean nothing */
+    tr_quads v1, v2; /* velocities of 1 and 2: vx, vy [m/s], spin [rad/s], 0 */
+    /* pair constants: radii [m] (R1 = 0 at a wall, which has no arm); g1 = R1/(R1+R2), 1 at a wall */
+    const double *R1, *R2, *g1;
+    /* kinematics */
+    tr_lane nx, ny; /* unit normal from 1 to 2 */
+    tr_lane delta;  /* overlap [m]; not touching where <= 0, and then v_s, s1, s2 still hold */
+    tr_lane r1, r2; /* arms from the centres to the contact point [m] */
+    tr_lane v_n;    /* approach speed, -V21.n [m/s] */
+    tr_lane v_s;    /* sliding velocity Vs, of 2 relative to 1 along t [m/s] */
+    tr_lane s1,
+        s2;      /* objective velocities of the contact point over the rims [m/s] [Wang2015 eqs. 23-24, t reversed] */
+    tr_lane v_r; /* rolling velocity by the scene's definition [m/s] */
+    /* laws */
+    tr_lane f_elastic, f_n; /* elastic part of, and whole normal force, >= 0 [N/m] */
+    tr_lane f_t;            /* friction Q: on body 2 it is -Q t [N/m] */
+    tr_lane m1, m2;         /* rolling moments on 1 and on 2 [N] */
+    /* resultant: force on body 2, on 1 the opposite [N/m]; torques on 1 and 2 [N] */
+    tr_lane fx, fy, q1, q2;
+} tr_tile;
+
+/* What a law sees of the contacts in the tile besides the tile. Pointers are at the tile's first contact. */
+typedef struct tr_law_data {
+    const void *par; /* the law's parameter struct */
+    double dt;       /* [s] */
+    double *hist[TR_MAX_HIST];
+    const double *pair[TR_MAX_PAIR];
+} tr_law_data;
+
+typedef void tr_pass_run(tr_tile *tile, const tr_law_data *data);
+
+/* Two bodies that may touch: radii [m] (R1 = 0 at a wall) and masses [kg/m] (a wall's is infinite). */
+typedef struct tr_pair_bodies {
+    double R1, R2, m1, m2;
+} tr_pair_bodies;
+
+/* Greatest stiffness and damping that a law can show in its own coordinate (overlap, sliding, rolling distance), for
+ * the bound on the step: k [Pa], c [Pa s]. lever1, lever2: moment on 1 and 2 per unit of its quasi-force [m] (rolling).
+ */
+typedef struct tr_stiffness {
+    double k, c, lever1, lever2;
+} tr_stiffness;
+
+typedef enum tr_needs {
+    TR_NEEDS_V_R = 1, /* the rolling velocity of the scene's definition */
+} tr_needs;
+
+typedef struct tr_law {
+    tr_param_table table; /* name, doc, parameters */
+    const char *source;   /* e.g. "[Wang2015 eq. 28]" */
+    int n_hist;           /* doubles of history per contact; all zero when a contact forms */
+    int n_pair;           /* pair constants per contact */
+    unsigned needs;       /* tr_needs */
+    /* Fills the pair constants of one contact; NULL when n_pair is 0. */
+    void (*pair)(const void *par, const tr_pair_bodies *bodies, double *constants);
+    /* One step over the tile. Where the bodies do not touch all outputs are 0 and the history is forgotten. NULL: law
+     * "none". */
+    tr_pass_run *step;
+    /* For the sinks, after step: energy in the contacts [N], and the bound on |f_t| [N/m] or |m1| [N]. NULL with step.
+     */
+    void (*state)(const tr_tile *tile, const tr_law_data *data, double *energy, double *bound);
+    tr_stiffness (*stiffness)(const void *par, const tr_pair_bodies *bodies);
+} tr_law;
+
+/* The registry. Index = tr_scene_law.law. */
+extern const tr_law *const tr_laws_normal[], *const tr_laws_friction[], *const tr_laws_rolling[];
+
+/* The rolling velocities: one row each; a pass that writes tile->v_r from s1, s2, g1. */
+typedef struct tr_rolling_velocity {
+    const char *name, *source;
+    tr_pass_run *step;
+} tr_rolling_velocity;
+extern const tr_rolling_velocity tr_rolling_velocities[];
+extern const int tr_n_rolling_velocities;
+
+/* The registry as the scene reader wants it. The catalog lives as long as the program. */
+const tr_param_catalog *tr_laws_catalog(void);
+
+/* The passes that every scene has; they use no data. */
+tr_pass_run tr_kinematics_pair; /* two disks */
+tr_pass_run
+    tr_kinematics_wall; /* body 1 is a plane: gather writes nx, ny, and the distance of the centre into x21[i][0] */
+tr_pass_run tr_resultant_central; /* normal force alone: no torque */
+tr_pass_run tr_resultant_full;
+
+#endif

@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: MIT */
+/* Linear spring and dashpot along the line of centres, without attraction. Source [Cundall1979].
+ *
+ *   f_elastic = k_n delta,   f_n = max(0, k_n delta + c v_n),   c = 2 zeta sqrt(k_n m_eff),   m_eff = m1 m2/(m1+m2)
+ *
+ * delta <= 0: nothing. A contact ends, for the force, when f_n reaches 0 and not when delta does: the spring never
+ * pulls.
+ */
+#include "base/vector.h"
+#include "laws/law.h"
+
+#include <math.h>
+
+typedef struct par {
+    double k_n, damping_ratio;
+} par;
+
+static const tr_param params[] = {
+    {"k_n", TR_REAL, TR_DIM_STIFFNESS, "Pa", NULL, 1e-3, 1e15, NULL, offsetof(par, k_n), "normal stiffness"},
+    {"damping_ratio", TR_REAL, TR_DIM_NUMBER, "1", "0.3", 0, 10, NULL, offsetof(par, damping_ratio),
+     "normal dashpot, as a share of critical damping of the pair"},
+};
+
+static double dashpot(const par *p, const tr_pair_bodies *b) {
+    double m_eff = isinf(b->m1) ? b->m2 : b->m1 * b->m2 / (b->m1 + b->m2);
+    return 2 * p->damping_ratio * sqrt(p->k_n * m_eff);
+}
+
+static void pair(const void *par_, const tr_pair_bodies *bodies, double *constants) {
+    constants[0] = dashpot(par_, bodies);
+}
+
+TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict data) {
+    const par *p = data->par;
+    const double k = p->k_n, *restrict c = data->pair[0];
+    for (int i = 0; i < tile->n; i++) {
+        double delta = tile->delta[i], elastic = delta > 0 ? k * delta : 0, force = elastic + c[i] * tile->v_n[i];
+        force = force > 0 ? force : 0;
+        tile->f_elastic[i] = elastic;
+        tile->f_n[i] = delta > 0 ? force : 0;
+    }
+}
+
+static void state(const tr_tile *tile, const tr_law_data *data, double *energy, double *bound) {
+    const par *p = data->par;
+    (void)bound;
+    for (int i = 0; i < tile->n; i++) energy[i] = tile->f_elastic[i] * tile->f_elastic[i] / (2 * p->k_n);
+}
+
+static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *bodies) {
+    const par *p = par_;
+    return (tr_stiffness){.k = p->k_n, .c = dashpot(p, bodies)};
+}
+
+const tr_law tr_normal_linear = {
+    .table = {"linear", "linear spring and dashpot, no attraction", params, sizeof params / sizeof *params},
+    .source = "[Cundall1979]",
+    .n_pair = 1,
+    .pair = pair,
+    .step = step,
+    .state = state,
+    .stiffness = stiffness,
+};

@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: MIT */
+#include "out/dir.h"
+
+#include "base/part.h"
+#include <dirent.h>
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* All that a run writes, the mark of a finished run first: an interrupted removal leaves an unfinished run. */
+static const char *const results[] = {"summary.json", "history.csv", "contacts.csv", "case.yaml", "plot.gp",
+                                      "biaxial.svg",  "biaxial.png", "biaxial.mp4",  "bodies.mp4"};
+
+bool tr_dir_path(char path[TR_PATH], const char *dir, const char *name, tr_status *st) {
+    if (snprintf(path, TR_PATH, "%s/%s", dir, name) < TR_PATH) return true;
+    return tr_status_fail(st, TR_FILE, "error: path too long: %.200s...", dir);
+}
+
+static bool make(const char *dir, tr_status *st) {
+    char path[TR_PATH];
+    if (!*dir || strlen(dir) >= sizeof path)
+        return tr_status_fail(st, TR_FILE, "error: bad directory name \"%.200s\"", dir);
+    strcpy(path, dir);
+    for (char *p = path + 1;; p++) {
+        char c = *p;
+        if (c != '/' && c != '\0') continue;
+        *p = '\0';
+        if (mkdir(path, 0777) && errno != EEXIST)
+            return tr_status_fail(st, TR_FILE, "error: cannot make directory %s: %s", path, strerror(errno));
+        *p = c;
+        if (!c) break;
+    }
+    struct stat info;
+    if (stat(path, &info) || !S_ISDIR(info.st_mode))
+        return tr_status_fail(st, TR_FILE, "error: %s is not a directory", path);
+    return true;
+}
+
+static bool remove_old(const char *dir, const char *name, tr_status *st) {
+    char path[TR_PATH];
+    if (!tr_dir_path(path, dir, name, st)) return false;
+    if (!unlink(path) || errno == ENOENT || errno == ENOTDIR) return true;
+    return tr_status_fail(st, TR_FILE, "error: cannot remove %s: %s", path, strerror(errno));
+}
+
+static bool remove_frames(const char *dir, tr_status *st) {
+    char frames[TR_PATH];
+    if (!tr_dir_path(frames, dir, "frames", st)) return false;
+    DIR *d = opendir(frames);
+    bool ok = true;
+    for (struct dirent *e; d && ok && (e = readdir(d));) {
+        unsigned number;
+        int end = 0;
+        if (sscanf(e->d_name, "%5u.png%n", &number, &end) == 1 && end > 0) ok = remove_old(frames, e->d_name, st);
+    }
+    if (d) closedir(d);
+    return ok;
+}
+
+bool tr_dir_open(const char *dir, bool force, tr_status *st) {
+    char summary[TR_PATH];
+    if (!make(dir, st) || !tr_dir_path(summary, dir, results[0], st)) return false;
+    if (!force && !access(summary, F_OK))
+        return tr_status_fail(st, TR_FILE, "error: %s holds a finished run; give another -o, or --force to replace it",
+                              dir);
+    for (size_t k = 0; k < sizeof results / sizeof *results; k++)
+        if (!remove_old(dir, results[k], st)) return false;
+    return remove_frames(dir, st);
+}
+
+bool tr_file_open(tr_file *file, const char *dir, const char *name, tr_status *st) {
+    *file = (tr_file){0};
+    if (!tr_dir_path(file->path, dir, name, st) || !(file->part = tr_part_name(file->path, st))) return false;
+    file->stream = fopen(file->part, "w");
+    if (file->stream) return true;
+    tr_status_fail(st, TR_FILE, "error: cannot write %s: %s", file->part, strerror(errno));
+    free(file->part);
+    return false;
+}
+
+bool tr_file_check(tr_file *file, tr_status *st) {
+    if (!fflush(file->stream) && !ferror(file->stream)) return true;
+    tr_status_fail(st, TR_FILE, "error: cannot write %s: %s", file->path, strerror(errno));
+    tr_file_discard(file);
+    return false;
+}
+
+bool tr_file_commit(tr_file *file, tr_status *st) {
+    if (!tr_file_check(file, st)) return false;
+    bool synced = !fsync(fileno(file->stream));
+    bool closed = !fclose(file->stream);
+    file->stream = NULL;
+    bool ok = synced && closed ? tr_part_keep(file->part, file->path, st)
+                               : tr_status_fail(st, TR_FILE, "error: cannot write %s: %s", file->path, strerror(errno));
+    if (!ok) unlink(file->part);
+    free(file->part);
+    return ok;
+}
+
+void tr_file_discard(tr_file *file) {
+    if (!file->stream) return;
+    fclose(file->stream);
+    file->stream = NULL;
+    unlink(file->part);
+    free(file->part);
+}
+
+bool tr_file_write(const char *dir, const char *name, const char *text, tr_status *st) {
+    tr_file file;
+    if (!tr_file_open(&file, dir, name, st)) return false;
+    fputs(text, file.stream);
+    return tr_file_commit(&file, st);
+}

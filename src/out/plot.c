@@ -1,0 +1,84 @@
+/* SPDX-License-Identifier: MIT */
+#include "out/plot.h"
+
+#include "base/part.h"
+#include "base/program.h"
+#include "out/dir.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <spawn.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char **environ;
+
+static const char script[] =
+    "# SPDX-License-Identifier: MIT\n"
+    "# Curves of the biaxial test. Run in this directory: gnuplot plot.gp\n"
+    "set datafile separator ','\n"
+    "array out[2] = ['biaxial.svg.part', 'biaxial.png.part']\n"
+    "do for [k = 1:2] {\n"
+    "    if (k == 1) { set terminal svg size 900,720 font 'DejaVu Sans,17' enhanced background '#ffffff' }\n"
+    "    if (k == 2) { set terminal pngcairo size 1350,1080 font 'DejaVu Sans,20' enhanced linewidth 1.5 }\n"
+    "    set output out[k]\n"
+    "    set multiplot layout 2,1 title caption font ',15' margins 0.12,0.96,0.11,0.91 spacing 0.06\n"
+    "    set grid linecolor '#d0d0d0'\n"
+    "    set xrange [0:*]\n"
+    "    set key bottom right box linecolor '#d0d0d0' opaque width 1 height 0.3\n"
+    "    set yrange [0:*]\n"
+    "    set format x ''\n"
+    "    set ylabel 'sin φ = (σ_1 − σ_2)/(σ_1 + σ_2)' offset 1\n"
+    "    plot 'history.csv' using (100*$1):'sin_phi' every ::1 with lines linewidth 2.5 linecolor '#0072b2' title "
+    "'stress ratio sin φ'\n"
+    "    set yrange [*:*]\n"
+    "    set format x '%g'\n"
+    "    set xlabel 'axial strain ε_1 (%), compression positive'\n"
+    "    set ylabel 'void ratio e' offset 1\n"
+    "    plot 'history.csv' using (100*$1):'void_ratio' every ::1 with lines linewidth 2.5 linecolor '#d55e00' title "
+    "'void ratio e'\n"
+    "    unset multiplot\n"
+    "    unset output\n"
+    "    unset xlabel\n"
+    "}\n";
+
+bool tr_plot_available(void) {
+    return tr_program_available("gnuplot");
+}
+
+/* gnuplot, working in dir, silent. */
+static int run_gnuplot(const char *dir) {
+    char *const argv[] = {"gnuplot", "plot.gp", NULL};
+    posix_spawn_file_actions_t actions;
+    pid_t child;
+    int status = -1;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addchdir_np(&actions, dir);
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    int error = posix_spawnp(&child, argv[0], &actions, NULL, argv, environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (error) return error;
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+static bool keep(const char *dir, const char *name, tr_status *st) {
+    char path[TR_PATH];
+    if (!tr_dir_path(path, dir, name, st)) return false;
+    char *part = tr_part_name(path, st);
+    bool ok = part && tr_part_keep(part, path, st);
+    free(part);
+    return ok;
+}
+
+bool tr_plot_biaxial(const char *dir, const char *caption, tr_status *st) {
+    tr_file file;
+    if (!tr_file_open(&file, dir, "plot.gp", st)) return false;
+    fprintf(file.stream, "caption = '%s'\n%s", caption, script);
+    if (!tr_file_commit(&file, st)) return false;
+    int code = run_gnuplot(dir);
+    if (code)
+        return tr_status_fail(st, TR_FILE, "error: gnuplot failed (%d) on %s/plot.gp; run it there to see why", code,
+                              dir);
+    return keep(dir, "biaxial.svg", st) && keep(dir, "biaxial.png", st);
+}

@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: MIT */
+#include "out/summary.h"
+
+#include "base/version.h"
+#include <jansson.h>
+#include <math.h>
+#include <stdlib.h>
+
+tr_strength tr_summary_strength(const tr_series *s) {
+    tr_strength r = {0};
+    if (s->n < 2) return r;
+    double end = s->strain[s->n - 1], spacing = end / (s->n - 1);
+    r.residual_from = 0.75 * end;
+    int window = (int)fmax(1, fmin(s->n, round(0.005 / spacing))), kept = 0;
+    double sum = 0, best = -INFINITY;
+    for (int i = 0; i < s->n; i++) {
+        sum += s->sin_phi[i] - (i >= window ? s->sin_phi[i - window] : 0);
+        if (i + 1 >= window && sum / window > best)
+            best = sum / window, r.strain_peak = s->strain[i] - 0.5 * (window - 1) * spacing;
+        if (s->strain[i] < r.residual_from) continue;
+        r.sin_phi_residual += s->sin_phi[i], r.e_residual += s->void_ratio[i];
+        kept++;
+    }
+    r.sin_phi_peak = best;
+    r.sin_phi_residual /= kept, r.e_residual /= kept;
+    return r;
+}
+
+static void add(json_t *object, const char *key, double value) {
+    json_object_set_new(object, key, isfinite(value) ? json_real(value) : json_null());
+}
+
+static json_t *begin(const tr_scene *scene, const char *kind) {
+    json_t *o = json_object();
+    json_object_set_new(o, "version", json_string(TR_VERSION));
+    json_object_set_new(o, "kind", json_string(kind));
+    json_object_set_new(o, "seed", json_integer((json_int_t)scene->seed));
+    return o;
+}
+
+/* The passes that ran, and what the scene did not need and so was not built. */
+static void add_pipeline(json_t *o, const tr_world *world) {
+    static const char *const group_names[] = {"disk_disk", "wall_disk"};
+    json_t *passes = json_object(), *out = json_array();
+    for (int k = 0; k < 2; k++) {
+        json_t *names = json_array();
+        for (int p = 0; p < world->group[k].n_pass; p++)
+            json_array_append_new(names, json_string(world->group[k].pass[p].name));
+        json_object_set_new(passes, group_names[k], names);
+    }
+    json_object_set_new(o, "passes", passes);
+    json_object_set_new(o, "pair_finding", json_string(world->broad->name));
+    if (!world->group[0].slot[TR_FRICTION].law->step) json_array_append_new(out, json_string("friction"));
+    if (!world->group[0].slot[TR_ROLLING].law->step) json_array_append_new(out, json_string("rolling resistance"));
+    if (!world->group[1].spins && world->n_walls)
+        json_array_append_new(out, json_string("friction and rolling resistance at walls"));
+    if (!world->n_walls) json_array_append_new(out, json_string("walls"));
+    if (!world->disks.load) json_array_append_new(out, json_string("weight"));
+    if (!world->ledger) json_array_append_new(out, json_string("energy ledger"));
+    if (world->broad == &tr_broad_brute) json_array_append_new(out, json_string("broad phase"));
+    json_object_set_new(o, "left_out", out);
+}
+
+static char *finish(json_t *o, const tr_timing *timing, tr_status *st) {
+    json_t *t = json_object();
+    add(t, "wall_s", timing->wall_s);
+    add(t, "contact_updates_per_s", timing->contact_updates_per_s);
+    json_object_set_new(o, "timing", t);
+    char *text = json_dumps(o, JSON_INDENT(2) | JSON_REAL_PRECISION(15));
+    json_decref(o);
+    if (!text) tr_status_fail(st, TR_FILE, "error: out of memory (summary)");
+    return text;
+}
+
+char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, double unbalanced, const tr_strength *s,
+                         double mean_stress_2, const tr_energy *energy, const tr_timing *timing, tr_status *st) {
+    json_t *o = begin(scene, "biaxial");
+    double k_n = b->world.group[0]
+                     .slot[TR_NORMAL]
+                     .law->stiffness(b->world.group[0].slot[TR_NORMAL].par, &(tr_pair_bodies){1, 1, 1, 1})
+                     .k;
+    json_object_set_new(o, "n_disks", json_integer(scene->sample.disks));
+    add(o, "e0", e0);
+    add(o, "unbalanced_after_compaction", unbalanced);
+    add(o, "e_residual", s->e_residual);
+    add(o, "sin_phi_peak", s->sin_phi_peak);
+    add(o, "strain_at_peak", s->strain_peak);
+    add(o, "sin_phi_residual", s->sin_phi_residual);
+    add(o, "tan_phi_peak", tan(asin(s->sin_phi_peak)));
+    add(o, "tan_phi_residual", tan(asin(s->sin_phi_residual)));
+    add(o, "q_over_p_peak", 2 * s->sin_phi_peak);
+    add(o, "q_over_p_residual", 2 * s->sin_phi_residual);
+    add(o, "residual_from_strain", s->residual_from);
+    add(o, "strain_end", scene->shear.strain_end);
+    add(o, "mean_stress_2_Pa", mean_stress_2);
+    add(o, "inertial_number", scene->shear.inertial_number);
+    add(o, "stiffness_ratio", k_n / scene->shear.lateral_pressure);
+    add(o, "mean_mass_kg_per_m", b->mean_mass);
+    add(o, "strain_rate_per_s", b->rate);
+    json_object_set_new(o, "servo", json_string("piston: M dv/dt = pressure*length - force"));
+    add(o, "servo_mass_kg_per_m", b->world.wall[TR_LEFT_WALL].mass);
+    json_object_set_new(o, "start_of_shear", json_string("velocities after compaction, contact histories zero"));
+    add(o, "dt_s", b->world.dt);
+    add(o, "dt_bound_s", b->dt_bound);
+    json_object_set_new(o, "steps_compaction", json_integer(b->shear_start));
+    json_object_set_new(o, "steps", json_integer(b->shear_steps));
+    json_object_set_new(o, "contact_updates", json_integer(b->world.contact_updates));
+    json_object_set_new(o, "pair_searches", json_integer(b->world.searches));
+    json_object_set_new(o, "list_refreshes", json_integer(b->world.refreshes));
+    if (energy) {
+        add(o, "energy_work_J_per_m", energy->work);
+        add(o, "energy_residual_J_per_m", energy->residual);
+        add(o, "energy_residual_over_work", energy->residual / energy->work);
+    }
+    add_pipeline(o, &b->world);
+    return finish(o, timing, st);
+}
+
+char *tr_summary_bodies(const tr_scene *scene, const tr_bodies *b, const tr_timing *timing, tr_status *st) {
+    json_t *o = begin(scene, "bodies");
+    json_object_set_new(o, "n_disks", json_integer(scene->n_disks));
+    add(o, "time_end_s", scene->time_end);
+    add(o, "dt_s", b->world.dt);
+    add(o, "dt_bound_s", b->dt_bound); /* null: every motion is prescribed */
+    json_object_set_new(o, "steps", json_integer(b->steps));
+    json_object_set_new(o, "contact_updates", json_integer(b->world.contact_updates));
+    add_pipeline(o, &b->world);
+    return finish(o, timing, st);
+}

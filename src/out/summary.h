@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: MIT */
+/* summary.json: what a finished run found. Written last: it marks the run as finished. */
+#ifndef TR_SUMMARY_H
+#define TR_SUMMARY_H
+
+#include "core/biaxial.h"
+#include "core/bodies.h"
+#include "core/ledger.h"
+
+typedef struct tr_timing {
+    double wall_s,
+        contact_updates_per_s; /* of the shear (biaxial) or the whole run (bodies), outputs left out of the latter */
+} tr_timing;
+
+/* Rows of the shear as the summary needs them. */
+typedef struct tr_series {
+    int n;
+    double *strain, *sin_phi, *void_ratio;
+} tr_series;
+
+/* What a biaxial test is quoted by. */
+typedef struct tr_strength {
+    double sin_phi_peak;     /* largest running mean over 0.5 % strain */
+    double strain_peak;      /* strain at the middle of that window */
+    double sin_phi_residual; /* mean over the last quarter of the strain: 15-20 % of 20 % */
+    double e_residual;       /* void ratio, the same mean */
+    double residual_from;    /* strain at which the last quarter starts */
+} tr_strength;
+
+tr_strength tr_summary_strength(const tr_series *series);
+
+/* Text of summary.json (free()); NULL: out of memory. energy may be NULL. dt_s and all else but "timing" are the same
+ * for the same case on every machine. */
+char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, double unbalanced,
+                         const tr_strength *strength, double mean_stress_2, const tr_energy *energy,
+                         const tr_timing *timing, tr_status *st);
+char *tr_summary_bodies(const tr_scene *scene, const tr_bodies *b, const tr_timing *timing, tr_status *st);
+
+#endif

@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: MIT */
+#include "out/table.h"
+
+#include <math.h>
+#include <stdarg.h>
+
+void tr_row_add(tr_row *row, double value, const char *name_format, ...) {
+    tr_cell *cell = &row->cell[row->n++];
+    va_list args;
+    va_start(args, name_format);
+    vsnprintf(cell->name, sizeof cell->name, name_format, args);
+    va_end(args);
+    cell->value = value;
+}
+
+bool tr_row_write(const tr_row *row, tr_file *file, tr_status *st) {
+    if (ftell(file->stream) == 0)
+        for (int i = 0; i < row->n; i++) fprintf(file->stream, "%s%c", row->cell[i].name, i + 1 < row->n ? ',' : '\n');
+    for (int i = 0; i < row->n; i++) fprintf(file->stream, "%.9g%c", row->cell[i].value, i + 1 < row->n ? ',' : '\n');
+    return tr_file_check(file, st);
+}
+
+void tr_row_biaxial(tr_row *row, const tr_biaxial_state *s, const tr_measures *m, const tr_energy *e) {
+    row->n = 0;
+    tr_row_add(row, s->strain, "strain");
+    tr_row_add(row, s->stress_1, "stress_1_Pa");
+    tr_row_add(row, s->stress_2, "stress_2_Pa");
+    tr_row_add(row, s->sin_phi, "sin_phi");
+    tr_row_add(row, tan(asin(s->sin_phi)), "tan_phi");
+    tr_row_add(row, 2 * s->sin_phi, "q_over_p"); /* q = s1 - s2, p = (s1 + s2)/2 */
+    tr_row_add(row, s->void_ratio, "void_ratio");
+    tr_row_add(row, m->n_contacts, "n_contacts");
+    tr_row_add(row, m->coordination, "coordination");
+    tr_row_add(row, m->sliding_fraction, "sliding_fraction");
+    tr_row_add(row, m->rolling_share, "rolling_share");
+    tr_row_add(row, m->mobilisation, "mobilisation");
+    tr_row_add(row, m->unbalanced, "unbalanced");
+    tr_row_add(row, m->mean_f_n, "mean_f_n_N_per_m");
+    tr_row_add(row, m->largest_overlap, "largest_overlap");
+    tr_row_add(row, s->time, "time_s");
+    tr_row_add(row, s->height, "height_m");
+    tr_row_add(row, s->width, "width_m");
+    if (!e) return;
+    tr_row_add(row, e->work, "work_J_per_m");
+    tr_row_add(row, e->kinetic, "kinetic_J_per_m");
+    tr_row_add(row, e->elastic_normal, "elastic_normal_J_per_m");
+    tr_row_add(row, e->elastic_friction, "elastic_friction_J_per_m");
+    tr_row_add(row, e->elastic_rolling, "elastic_rolling_J_per_m");
+    tr_row_add(row, e->damped, "damped_J_per_m");
+    tr_row_add(row, e->friction, "friction_J_per_m");
+    tr_row_add(row, e->rolling, "rolling_J_per_m");
+    tr_row_add(row, e->residual, "residual_J_per_m");
+}
+
+void tr_row_contact(tr_row *row, double time, double strain, const tr_record *c) {
+    row->n = 0;
+    tr_row_add(row, time, "time_s");
+    if (strain >= 0) tr_row_add(row, strain, "strain");
+    tr_row_add(row, c->a, "a");
+    tr_row_add(row, c->b, "b");
+    tr_row_add(row, c->x, "x_m");
+    tr_row_add(row, c->y, "y_m");
+    tr_row_add(row, c->nx, "nx");
+    tr_row_add(row, c->ny, "ny");
+    tr_row_add(row, c->delta, "overlap_m");
+    tr_row_add(row, c->f_n, "f_n_N_per_m");
+    tr_row_add(row, c->f_t, "f_t_N_per_m");
+    tr_row_add(row, c->m1, "moment_a_N");
+    tr_row_add(row, c->m2, "moment_b_N");
+    tr_row_add(row, c->v_s, "v_s_m_per_s");
+    tr_row_add(row, c->v_r, "v_r_m_per_s");
+    tr_row_add(row, c->mobilisation, "mobilisation");
+    tr_row_add(row, c->rolling_mobilisation, "rolling_mobilisation");
+    tr_row_add(row, c->s1, "s1_m_per_s");
+    tr_row_add(row, c->s2, "s2_m_per_s");
+    for (int v = 0; v < tr_n_rolling_velocities; v++)
+        tr_row_add(row, c->v_r_by[v], "v_r_%s_m_per_s", tr_rolling_velocities[v].name);
+    if (strain >= 0) return;
+    tr_row_add(row, c->da, "da_m");
+    tr_row_add(row, c->db, "db_m");
+}
+
+void tr_row_disk(tr_row *row, double time, const tr_world *world, int i) {
+    const double *pos = world->disks.pos + 4 * (size_t)i;
+    double velocity[3];
+    tr_bodies_velocity(world, i, velocity);
+    row->n = 0;
+    tr_row_add(row, time, "time_s");
+    tr_row_add(row, i, "disk");
+    tr_row_add(row, pos[0], "x_m");
+    tr_row_add(row, pos[1], "y_m");
+    tr_row_add(row, pos[2], "angle_rad");
+    tr_row_add(row, velocity[0], "vx_m_per_s");
+    tr_row_add(row, velocity[1], "vy_m_per_s");
+    tr_row_add(row, velocity[2], "spin_rad_per_s");
+}

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT */
+/* CSV tables: the names of a row's cells are the header, so a column is written once. */
+#ifndef TR_TABLE_H
+#define TR_TABLE_H
+
+#include "core/biaxial.h"
+#include "core/bodies.h"
+#include "core/ledger.h"
+#include "core/measures.h"
+#include "out/dir.h"
+
+typedef struct tr_cell {
+    char name[40]; /* with the unit: "stress_1_Pa" */
+    double value;
+} tr_cell;
+
+enum { TR_MAX_CELLS = 64 };
+
+typedef struct tr_row {
+    int n;
+    tr_cell cell[TR_MAX_CELLS];
+} tr_row;
+
+void tr_row_add(tr_row *row, double value, const char *name_format, ...) __attribute__((format(printf, 3, 4)));
+
+/* Writes the header first when it is the first row of the file. */
+bool tr_row_write(const tr_row *row, tr_file *file, tr_status *st);
+
+/* One row of history.csv of a biaxial test; energy may be NULL. */
+void tr_row_biaxial(tr_row *row, const tr_biaxial_state *state, const tr_measures *measures, const tr_energy *energy);
+
+/* One row of contacts.csv: every touching contact is one. strain < 0: there is none (bodies). */
+void tr_row_contact(tr_row *row, double time, double strain, const tr_record *record);
+
+/* One row of history.csv of bodies: one disk. */
+void tr_row_disk(tr_row *row, double time, const tr_world *world, int disk);
+
+#endif

@@ -1,0 +1,267 @@
+/* SPDX-License-Identifier: MIT */
+/* muParser does the arithmetic, nothing else: this file decides what an expression is. It turns the text into one in
+ * which every number and name is a variable v0, v1, ..., so no name can meet a built-in of muParser.
+ *
+ * Dimensions are checked by arithmetic alone: a result in kg^a m^b s^c is multiplied by 4^a when the unit of mass is
+ * made four times smaller, and so on. Powers of four stay exact through + - * / and sqrt. */
+#include "scene/expression.h"
+#include "base/alloc.h"
+
+#include <math.h>
+#include <muParserDLL.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MAX_OPERANDS = TR_EXPRESSION_LENGTH, MAX_NAME = 64 };
+#define SLACK 1e-14 /* in a power found from a result: a few roundings of ^ */
+
+struct tr_expression {
+    muParserHandle_t parser;
+    double values[MAX_OPERANDS]; /* of v0, v1, ... */
+};
+
+typedef struct unit {
+    const char *name;
+    double factor; /* SI */
+    tr_dim dim;
+} unit;
+
+static const unit units[] = {
+    {"kg", 1, {1, 0, 0}},      {"g", 1e-3, {1, 0, 0}},         {"t", 1e3, {1, 0, 0}},     {"m", 1, {0, 1, 0}},
+    {"mm", 1e-3, {0, 1, 0}},   {"cm", 1e-2, {0, 1, 0}},        {"um", 1e-6, {0, 1, 0}},   {"km", 1e3, {0, 1, 0}},
+    {"s", 1, {0, 0, 1}},       {"ms", 1e-3, {0, 0, 1}},        {"us", 1e-6, {0, 0, 1}},   {"min", 60, {0, 0, 1}},
+    {"N", 1, {1, 1, -2}},      {"kN", 1e3, {1, 1, -2}},        {"MN", 1e6, {1, 1, -2}},   {"Pa", 1, {1, -1, -2}},
+    {"kPa", 1e3, {1, -1, -2}}, {"MPa", 1e6, {1, -1, -2}},      {"GPa", 1e9, {1, -1, -2}}, {"J", 1, {1, 2, -2}},
+    {"Hz", 1, {0, 0, -1}},     {"deg", M_PI / 180, {0, 0, 0}}, {"rad", 1, {0, 0, 0}},
+};
+
+static const char *const functions[] = {"sqrt", "sin", "cos", "tan", "atan"};
+
+typedef struct operand {
+    tr_quantity quantity;
+    bool exponent; /* stands behind ^ */
+} operand;
+
+/* The text on its way to muParser. Local to one call: a name's value may need another expression. */
+typedef struct translation {
+    char text[8 * TR_EXPRESSION_LENGTH];
+    size_t length;
+    operand operands[MAX_OPERANDS];
+    int n;
+    bool named; /* a unit or a key occurred: the dimension counts */
+} translation;
+
+static bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+static bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
+static bool is_function(const char *name) {
+    for (size_t i = 0; i < sizeof functions / sizeof *functions; i++) {
+        if (strcmp(name, functions[i]) == 0) return true;
+    }
+    return false;
+}
+
+static const unit *find_unit(const char *name) {
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
+        if (strcmp(name, units[i].name) == 0) return &units[i];
+    }
+    return NULL;
+}
+
+bool tr_expression_reserved(const char *name) {
+    return find_unit(name) || is_function(name) || strcmp(name, "pi") == 0;
+}
+
+/* 12, 1.5, .5, 2e-3: its length, 0 when there is none. */
+static size_t number_length(const char *p) {
+    size_t whole = strspn(p, "0123456789"), n = whole, part = 0;
+    if (p[n] == '.') part = strspn(p + n + 1, "0123456789"), n += 1 + part;
+    if (whole + part == 0) return 0;
+    if (p[n] == 'e' || p[n] == 'E') {
+        size_t sign = p[n + 1] == '-' || p[n + 1] == '+', power = strspn(p + n + 1 + sign, "0123456789");
+        if (power) n += 1 + sign + power;
+    }
+    return n;
+}
+
+/* A letter, then letters, digits and dots inside. */
+static size_t name_length(const char *p) {
+    size_t n = 0;
+    if (is_letter(*p)) {
+        while (is_letter(p[n]) || is_digit(p[n]) || p[n] == '.') n++;
+    }
+    return n;
+}
+
+static bool fail(tr_problem *problem, size_t at, const char *text) {
+    problem->at = at;
+    snprintf(problem->text, sizeof problem->text, "%s", text);
+    return false;
+}
+
+static void emit(translation *t, const char *text) {
+    t->length += (size_t)snprintf(t->text + t->length, sizeof t->text - t->length, "%s", text);
+}
+
+static void emit_operand(translation *t, tr_quantity quantity) {
+    char name[16];
+    bool exponent = t->length && t->text[t->length - 1] == '^';
+    snprintf(name, sizeof name, "v%d", t->n);
+    emit(t, name);
+    t->operands[t->n++] = (operand){quantity, exponent};
+}
+
+static bool name_value(const char *name, const tr_names *names, tr_quantity *quantity, tr_problem *problem) {
+    tr_found found = names ? names->find(names->context, name, quantity, problem) : TR_UNKNOWN;
+    if (found != TR_UNKNOWN) return found == TR_FOUND;
+    const unit *u = find_unit(name);
+    if (!u) {
+        if (!names) snprintf(problem->text, sizeof problem->text, "unknown name `%s`", name);
+        return false;
+    }
+    *quantity = (tr_quantity){u->factor, u->dim};
+    return true;
+}
+
+/* A name or a function at text[at], n letters long. *open: it was a function, and its `(` is still to come. */
+static bool translate_name(translation *t, const char *text, size_t at, size_t n, const tr_names *names, bool *open,
+                           tr_problem *problem) {
+    char name[MAX_NAME];
+    if (n >= sizeof name) return fail(problem, at, "this name is too long");
+    memcpy(name, text + at, n);
+    name[n] = '\0';
+    size_t behind = at + n + strspn(text + at + n, " ");
+    bool call = text[behind] == '(';
+    *open = is_function(name);
+    if (*open && !call) return fail(problem, at, "a function needs its argument in parentheses, as in sqrt(2)");
+    if (!*open && call) return fail(problem, at, "not a function; allowed are sqrt sin cos tan atan");
+    if (*open) return emit(t, name), true;
+    tr_quantity quantity = {M_PI, TR_DIM_NUMBER};
+    if (strcmp(name, "pi") != 0) {
+        t->named = true;
+        problem->at = at;
+        if (!name_value(name, names, &quantity, problem)) return false;
+    }
+    emit_operand(t, quantity);
+    return true;
+}
+
+/* The grammar: operand and operator take turns. */
+static bool translate(translation *t, const char *text, const tr_names *names, tr_problem *problem) {
+    size_t i = 0;
+    int depth = 0;
+    bool wanted = true, sign = false, number = false; /* an operand comes next; behind a sign; just behind a number */
+    for (; text[i]; i++) {
+        const char c = text[i], one[2] = {c, 0};
+        const bool may_sign = !sign;
+        size_t n = name_length(text + i);
+        if (c == ' ') continue;
+        if (!n && !is_digit(c) && !strchr(".+-*/^()", c))
+            return fail(problem, i,
+                        "this character cannot stand in a value; allowed are numbers, names, + - * / ^ ( )");
+        if (!wanted && number && n) emit(t, "*"), wanted = true;
+        number = sign = false;
+        if (wanted && n) {
+            if (!translate_name(t, text, i, n, names, &wanted, problem)) return false;
+            i += n - 1;
+        } else if (wanted && (n = number_length(text + i))) {
+            emit_operand(t, (tr_quantity){strtod(text + i, NULL), TR_DIM_NUMBER});
+            number = true;
+            wanted = false;
+            i += n - 1;
+        } else if (wanted && c == '(') {
+            emit(t, one);
+            depth++;
+        } else if (wanted && (c == '-' || c == '+') && may_sign) {
+            if (c == '-') emit(t, one);
+            sign = true;
+        } else if (wanted) {
+            return fail(problem, i, "expected a number, a unit, a key or `(` here");
+        } else if (c == ')') {
+            if (depth-- == 0) return fail(problem, i, "this `)` has no `(`");
+            emit(t, one);
+        } else if (strchr("+-*/^", c)) {
+            emit(t, one);
+            wanted = true;
+        } else {
+            return fail(problem, i, "expected + - * / ^ or the end here");
+        }
+    }
+    if (wanted) return fail(problem, i, t->length ? "the value breaks off here" : "no value");
+    return depth == 0 || fail(problem, i, "a `)` is missing");
+}
+
+/* The result when the units of mass, length and time are 4^-scale of what they are. check: zeros become tiny, so that
+ * `0 mm` keeps its dimension. */
+static double evaluate(tr_expression *e, const translation *t, tr_dim scale, bool check) {
+    for (int i = 0; i < t->n; i++) {
+        tr_quantity q = t->operands[i].quantity;
+        if (check && q.value == 0 && !t->operands[i].exponent) q.value = 0x1p-20;
+        e->values[i] = ldexp(q.value, 2 * (q.dim.kg * scale.kg + q.dim.m * scale.m + q.dim.s * scale.s));
+    }
+    return mupEval(e->parser);
+}
+
+/* "in m s^-1", from the powers of kg, m, s. */
+static bool describe(tr_problem *problem, const double power[3]) {
+    static const char *const names[] = {"kg", "m", "s"};
+    char text[64] = "";
+    for (int i = 0; i < 3; i++) {
+        size_t used = strlen(text);
+        double p = round(4 * power[i]) / 4;
+        if (!(fabs(power[i] - p) < SLACK && fabs(p) < 100))
+            return fail(problem, 0, "mixes dimensions: a sum needs equal ones, a function and a power need numbers");
+        if (p != 0) snprintf(text + used, sizeof text - used, p == 1 ? " %s" : " %s^%g", names[i], p);
+    }
+    snprintf(problem->text, sizeof problem->text, "wrong dimension: this is %s%s", *text ? "in" : "a number", text);
+    return false;
+}
+
+static bool check_dimension(tr_expression *e, const translation *t, tr_dim dim, tr_problem *problem) {
+    const tr_dim scale[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    double base = evaluate(e, t, (tr_dim)TR_DIM_NUMBER, true), power[3];
+    if (base == 0) return true; /* 1 mm - 1 mm */
+    for (int i = 0; i < 3; i++) power[i] = log2(evaluate(e, t, scale[i], true) / base) / 2;
+    bool same = fabs(power[0] - dim.kg) < SLACK && fabs(power[1] - dim.m) < SLACK && fabs(power[2] - dim.s) < SLACK;
+    return same || describe(problem, power);
+}
+
+bool tr_expression_value(tr_expression *e, const char *text, tr_dim dim, const tr_names *names, double *value,
+                         tr_problem *problem) {
+    problem->at = 0;
+    if (strlen(text) > TR_EXPRESSION_LENGTH) return fail(problem, 0, "this value is longer than 200 characters");
+    translation t;
+    t.length = 0;
+    t.n = 0;
+    t.named = false;
+    if (!translate(&t, text, names, problem)) return false;
+    mupSetExpr(e->parser, t.text);
+    *value = evaluate(e, &t, (tr_dim)TR_DIM_NUMBER, false);
+    if (mupError(e->parser)) return fail(problem, 0, "this cannot be computed; use parentheses");
+    problem->at = 0;
+    if (!isfinite(*value)) return fail(problem, 0, "the result is not a finite number");
+    return !t.named || check_dimension(e, &t, dim, problem);
+}
+
+tr_expression *tr_expression_new(tr_status *st) {
+    tr_expression *e = tr_alloc(1, sizeof *e, st);
+    if (!e) return NULL;
+    e->parser = mupCreate(muBASETYPE_FLOAT);
+    for (int i = 0; i < MAX_OPERANDS; i++) {
+        char name[16];
+        snprintf(name, sizeof name, "v%d", i);
+        mupDefineVar(e->parser, name, &e->values[i]);
+    }
+    return e;
+}
+
+void tr_expression_free(tr_expression *e) {
+    if (!e) return;
+    mupRelease(e->parser);
+    free(e);
+}

@@ -1,0 +1,288 @@
+/* SPDX-License-Identifier: MIT */
+/* Case text to tr_scene: text -> tree -> (--set) -> entries -> values.
+ *
+ * Which keys there are depends on `kind`, and in `contact` on the laws chosen, so those are resolved first. Every key
+ * of the case becomes an entry (resolve.h); then all entries are resolved, in any order. */
+#include "base/alloc.h"
+#include "scene/resolve.h"
+#include "scene/tables.h"
+
+#include <errno.h>
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct reader {
+    tr_resolver r;
+    tr_scene *scene;
+    tr_node *root;
+    tr_mark end;       /* of the file: where a section is missed */
+    tr_entry *entries; /* of all scopes, one behind the other */
+    int n_entries;
+    unsigned kind; /* TR_FOR_* */
+    tr_status *st;
+} reader;
+
+static void *field(tr_scene *scene, size_t offset) {
+    return (char *)scene + offset;
+}
+
+/* Only the last scope opened can take entries. */
+static tr_scope *open_scope(reader *c, const char *section, int item, const tr_node *node) {
+    tr_scope *s = &c->r.scopes[c->r.n_scopes++];
+    *s = (tr_scope){section, item, node, node ? node->mark : c->end, c->entries + c->n_entries, 0};
+    return s;
+}
+
+/* Rows whose values live in *base; base NULL: of a law that is not chosen. Laws may share a key: then they share its
+ * text and the default of the first, and a law that is not chosen has no say. */
+static void add_rows(reader *c, tr_scope *s, const tr_param *params, int n, void *base, const char *law) {
+    for (int i = 0; i < n; i++) {
+        const tr_entry *first = tr_resolve_entry(s, params[i].key);
+        if (first && !base) continue;
+        tr_entry *e = &s->entries[s->n++];
+        c->n_entries++;
+        *e = (tr_entry){.param = &params[i], .scope = s, .law = base ? NULL : law};
+        e->fallback = first ? first->fallback : params[i].fallback;
+        e->node = tr_tree_find(s->node, params[i].key);
+        e->value = base ? (char *)base + params[i].offset : (char *)&e->scratch;
+    }
+}
+
+static bool add_laws(reader *c, tr_scope *s) {
+    for (int chosen = 1; chosen >= 0; chosen--) {
+        for (int k = 0; k < TR_SLOTS; k++) {
+            tr_slot slot = tr_tables_slot(c->r.catalog, k);
+            tr_scene_law *law = field(c->scene, slot.offset);
+            if (chosen && !tr_resolve(&c->r, tr_resolve_entry(s, slot.key), NULL)) return false;
+            for (int i = 0; i < slot.n; i++) {
+                const tr_param_table *t = slot.laws[i];
+                if ((i == law->law) == chosen) add_rows(c, s, t->params, t->n, chosen ? law->par : NULL, t->name);
+            }
+        }
+    }
+    return true;
+}
+
+static bool is_list(const tr_section *t) {
+    return t->item;
+}
+
+/* A key that is known, but for the other kind of case. */
+static bool for_other_kind(const tr_scope *s, const char *key) {
+    for (int i = 0; i < tr_n_sections; i++) {
+        const tr_section *t = &tr_sections[i];
+        if (!*s->section && strcmp(t->key, key) == 0) return true;
+        for (int k = 0; k < t->n && strcmp(t->key, s->section) == 0; k++) {
+            if (strcmp(t->params[k].key, key) == 0) return true;
+        }
+    }
+    return false;
+}
+
+static void offer(char *list, size_t size, tr_near *near, const char *wanted, const char *key) {
+    size_t used = strlen(list);
+    tr_text_nearer(near, wanted, key);
+    if (used + strlen(key) + 8 < size)
+        sprintf(list + used, "%s%s", used ? ", " : "", key);
+    else if (used + 6 < size && list[used - 1] != '.')
+        strcpy(list + used, ", ...");
+}
+
+static bool unknown_key(reader *c, const tr_scope *s, const tr_node *child) {
+    char list[200] = "";
+    tr_near near = {NULL, 0};
+    for (int i = 0; i < s->n; i++) offer(list, sizeof list, &near, child->key, s->entries[i].param->key);
+    for (int i = 0; i < tr_n_sections && !*s->section; i++) {
+        const tr_section *t = &tr_sections[i];
+        bool repeated = i && strcmp(t->key, t[-1].key) == 0;
+        if (*t->key && (t->kinds & c->kind) && !repeated) offer(list, sizeof list, &near, child->key, t->key);
+    }
+    tr_shown key = tr_resolve_name(s, child->key);
+    if (for_other_kind(s, child->key))
+        return tr_text_fail(c->st, child->key_mark, "`%s` is not for `kind: %s`; allowed here: %s", key.text,
+                            c->kind == TR_FOR_BIAXIAL ? "biaxial" : "bodies", list);
+    return tr_text_fail(c->st, child->key_mark, "unknown key `%s`%s; allowed here: %s", key.text,
+                        tr_text_hint(&near).text, list);
+}
+
+static bool check_keys(reader *c, const tr_scope *s) {
+    for (const tr_node *child = s->node ? s->node->child : NULL; child; child = child->next) {
+        bool known = tr_resolve_entry(s, child->key);
+        for (int i = 0; i < tr_n_sections && !known && !*s->section; i++)
+            known = (tr_sections[i].kinds & c->kind) && strcmp(tr_sections[i].key, child->key) == 0;
+        if (!known) return unknown_key(c, s, child);
+    }
+    return true;
+}
+
+/* `walls:` with nothing behind it is an empty section. */
+static bool check_type(reader *c, const tr_node *node, tr_node_type type, const char *what) {
+    bool empty = node && node->type == TR_NODE_VALUE && !*node->text;
+    if (!node || node->type == type || empty) return true;
+    return tr_text_fail(c->st, node->mark, "%s must be a %s", what,
+                        type == TR_NODE_LIST ? "list, one `- key: value` for each" : "mapping of keys and values");
+}
+
+/* One mapping section: t and its neighbours of the same key. */
+static bool read_mapping(reader *c, const tr_section *t) {
+    const tr_node *node = tr_tree_find(c->root, t->key);
+    char what[48];
+    snprintf(what, sizeof what, "`%s`", t->key);
+    if (!check_type(c, node, TR_NODE_MAPPING, what)) return false;
+    tr_scope *s = open_scope(c, t->key, -1, node);
+    for (const tr_section *u = t; u < tr_sections + tr_n_sections && strcmp(u->key, t->key) == 0; u++) {
+        if (u->kinds & c->kind) add_rows(c, s, u->params, u->n, field(c->scene, u->offset), NULL);
+    }
+    if (strcmp(t->key, "contact") == 0 && !add_laws(c, s)) return false;
+    return check_keys(c, s);
+}
+
+static bool read_list(reader *c, const tr_section *t) {
+    const tr_node *node = tr_tree_find(c->root, t->key);
+    char what[48];
+    snprintf(what, sizeof what, "`%s`", t->key);
+    if (!check_type(c, node, TR_NODE_LIST, what)) return false;
+    int n = node ? tr_tree_count(node) : 0;
+    if (n < t->min_items || n > t->max_items)
+        return tr_text_fail(c->st, node ? node->mark : c->end, "`%s` has %d items, allowed is %d to %d", t->key, n,
+                            t->min_items, t->max_items);
+    char *items = tr_alloc((size_t)n, t->item, c->st);
+    if (!items) return false;
+    memcpy(field(c->scene, t->offset), &items, sizeof items); /* some struct's pointer: the type is not known here */
+    *(int *)field(c->scene, t->count) = n;
+    const tr_node *child = n ? node->child : NULL;
+    for (int i = 0; i < n; i++, child = child->next) {
+        snprintf(what, sizeof what, "`%s.%d`", t->key, i);
+        if (!check_type(c, child, TR_NODE_MAPPING, what)) return false;
+        tr_scope *s = open_scope(c, t->key, i, child);
+        add_rows(c, s, t->params, t->n, items + (size_t)i * t->item, NULL);
+        if (!check_keys(c, s)) return false;
+    }
+    return true;
+}
+
+/* Room for every scope and entry that the case can have. */
+static bool reserve(reader *c) {
+    int scopes = 1, entries = 0;
+    for (int i = 0; i < tr_n_sections; i++) {
+        const tr_section *t = &tr_sections[i];
+        const tr_node *node = is_list(t) ? tr_tree_find(c->root, t->key) : NULL;
+        int items = is_list(t) ? (node ? tr_tree_count(node) : 0) : 1;
+        scopes += items;
+        entries += items * t->n;
+    }
+    for (int k = 0; k < TR_SLOTS; k++) {
+        tr_slot slot = tr_tables_slot(c->r.catalog, k);
+        for (int i = 0; i < slot.n; i++) entries += slot.laws[i]->n;
+    }
+    c->r.scopes = tr_alloc((size_t)scopes, sizeof(tr_scope), c->st);
+    c->entries = tr_alloc((size_t)entries, sizeof(tr_entry), c->st);
+    return c->r.scopes && c->entries;
+}
+
+/* The root's keys; `kind` first, for it decides what else there is. */
+static bool read_root(reader *c) {
+    tr_scope *s = open_scope(c, "", -1, c->root);
+    for (const tr_section *t = tr_sections; !*t->key; t++) {
+        if (t == tr_sections || (t->kinds & c->kind)) add_rows(c, s, t->params, t->n, field(c->scene, t->offset), NULL);
+        if (t == tr_sections && !tr_resolve(&c->r, tr_resolve_entry(s, "kind"), NULL)) return false;
+        c->kind = 1u << c->scene->kind;
+    }
+    return check_keys(c, s);
+}
+
+static bool resolve_all(reader *c) {
+    for (int i = 0; i < c->n_entries; i++) {
+        tr_entry *e = &c->entries[i];
+        if ((!e->law || e->node) && !tr_resolve(&c->r, e, NULL)) return false;
+    }
+    return true;
+}
+
+/* What no single row can say. */
+static bool check_together(reader *c) {
+    for (int i = 0; i < c->r.n_scopes; i++) {
+        const tr_scope *s = &c->r.scopes[i];
+        const tr_scene_sample *sample = &c->scene->sample;
+        if (strcmp(s->section, "sample") == 0 && sample->r_min > sample->r_max)
+            return tr_text_fail(c->st, tr_resolve_entry(s, "r_min")->node->key_mark,
+                                "`sample.r_min` is %.9g m, more than `sample.r_max`, which is %.9g m", sample->r_min,
+                                sample->r_max);
+        if (strcmp(s->section, "walls") != 0) continue;
+        /* A normal that is already 1 long to rounding stays as it is: what was written reads back bit for bit. */
+        tr_scene_wall *wall = &c->scene->walls[s->item];
+        double length = hypot(wall->nx, wall->ny);
+        if (length < 1e-9) return tr_text_fail(c->st, s->mark, "the normal (nx, ny) of `walls.%d` is zero", s->item);
+        if (fabs(length - 1) > 4 * DBL_EPSILON) wall->nx /= length, wall->ny /= length;
+    }
+    return true;
+}
+
+static bool read_scene(reader *c) {
+    if (!check_type(c, c->root, TR_NODE_MAPPING, "a case")) return false;
+    if (!reserve(c) || !read_root(c)) return false;
+    for (int i = 0; i < tr_n_sections; i++) {
+        const tr_section *t = &tr_sections[i];
+        bool repeated = i && strcmp(t->key, t[-1].key) == 0;
+        if (!*t->key || !(t->kinds & c->kind) || repeated) continue;
+        if (!(is_list(t) ? read_list(c, t) : read_mapping(c, t))) return false;
+    }
+    return resolve_all(c) && check_together(c);
+}
+
+static bool apply_sets(reader *c, tr_source *sources, const char *const *sets, int n_sets) {
+    for (int i = 0; i < n_sets; i++) {
+        sources[i] = (tr_source){"--set", sets[i], strlen(sets[i])};
+        if (!tr_text_check(&sources[i], c->st) || !tr_tree_set(c->root, &sources[i], c->st)) return false;
+    }
+    return true;
+}
+
+bool tr_scene_read(tr_scene *scene, const char *name, const char *text, size_t size, const char *const *sets,
+                   int n_sets, const tr_param_catalog *catalog, tr_status *st) {
+    *scene = (tr_scene){0};
+    if (size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) text += 3, size -= 3; /* byte order mark */
+    const tr_source source = {name, text, size};
+    reader c = {.r = {.catalog = catalog, .st = st}, .scene = scene, .st = st};
+    tr_source *sources = tr_alloc((size_t)n_sets, sizeof *sources, st);
+    bool ok = sources && tr_text_check(&source, st) && (c.root = tr_tree_read(&source, st)) &&
+              (c.r.expression = tr_expression_new(st));
+    if (ok) {
+        c.end = tr_text_end(&source);
+        ok = apply_sets(&c, sources, sets, n_sets) && read_scene(&c);
+    }
+    tr_expression_free(c.r.expression);
+    tr_tree_free(c.root);
+    free(c.r.scopes);
+    free(c.entries);
+    free(sources);
+    if (!ok) tr_scene_free(scene);
+    return ok;
+}
+
+bool tr_scene_read_file(tr_scene *scene, const char *path, const char *const *sets, int n_sets,
+                        const tr_param_catalog *catalog, tr_status *st) {
+    *scene = (tr_scene){0};
+    enum { ROOM = (1 << 20) + 8 }; /* more than may be read: too long a file shows */
+    char *text = tr_alloc(ROOM, 1, st);
+    if (!text) return false;
+    FILE *file = fopen(path, "rb");
+    size_t size = file ? fread(text, 1, ROOM, file) : 0;
+    bool ok = file && !ferror(file);
+    if (ok)
+        ok = tr_scene_read(scene, path, text, size, sets, n_sets, catalog, st);
+    else
+        tr_status_fail(st, TR_FILE, "error: cannot %s %.300s: %s", file ? "read" : "open", path, strerror(errno));
+    if (file) fclose(file);
+    free(text);
+    return ok;
+}
+
+void tr_scene_free(tr_scene *scene) {
+    free(scene->disks);
+    free(scene->walls);
+    *scene = (tr_scene){0};
+}

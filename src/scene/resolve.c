@@ -1,0 +1,210 @@
+/* SPDX-License-Identifier: MIT */
+/* An entry is new, busy or done. Meeting a busy one again is a cycle, and the askers tell its way. */
+#include "scene/resolve.h"
+#include "scene/tables.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MAX_DEPTH = 32 }; /* names that name names: bounds the stack */
+
+tr_entry *tr_resolve_entry(const tr_scope *scope, const char *key) {
+    for (int i = 0; i < scope->n; i++) {
+        if (strcmp(scope->entries[i].param->key, key) == 0) return &scope->entries[i];
+    }
+    return NULL;
+}
+
+tr_shown tr_resolve_name(const tr_scope *scope, const char *key) {
+    char name[200];
+    const char *section = scope->section;
+    if (scope->item < 0)
+        snprintf(name, sizeof name, "%s%s%s", section, *section ? "." : "", key);
+    else
+        snprintf(name, sizeof name, "%s.%d.%s", section, scope->item, key);
+    return tr_text_show(name);
+}
+
+/* An error in the text of an entry at its character `at`. A default has no place in the file: then all is told. */
+__attribute__((format(printf, 4, 5))) static bool fail(tr_resolver *r, const tr_entry *e, size_t at, const char *format,
+                                                       ...) {
+    char what[400];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(what, sizeof what, format, args);
+    va_end(args);
+    if (!e->node)
+        return tr_text_fail(r->st, e->scope->mark, "`%s` is not given, and its default `%s` fails: %s; give `%s`",
+                            tr_resolve_name(e->scope, e->param->key).text, e->fallback, what, e->param->key);
+    tr_mark mark = e->node->mark;
+    if (e->node->straight) mark.column += (int)at;
+    return tr_text_fail(r->st, mark, "%s", what);
+}
+
+/* A key of the same mapping, then of the root; with dots: section.key or list.number.key. */
+static tr_entry *lookup(const tr_resolver *r, const tr_scope *scope, const char *name) {
+    const char *dot = strchr(name, '.'), *key = dot + 1;
+    if (!dot) {
+        tr_entry *e = tr_resolve_entry(scope, name);
+        return e ? e : tr_resolve_entry(&r->scopes[0], name);
+    }
+    long item = -1;
+    if (*key >= '0' && *key <= '9') {
+        char *end;
+        item = strtol(key, &end, 10);
+        if (*end != '.') return NULL;
+        key = end + 1;
+    }
+    size_t length = (size_t)(dot - name);
+    for (int i = 1; i < r->n_scopes; i++) {
+        const tr_scope *s = &r->scopes[i];
+        if (s->item == item && strlen(s->section) == length && memcmp(s->section, name, length) == 0)
+            return tr_resolve_entry(s, key);
+    }
+    return NULL;
+}
+
+typedef struct request {
+    tr_resolver *resolver;
+    tr_entry *asker;
+} request;
+
+static tr_found unknown(const request *q, const char *name, tr_problem *problem) {
+    const tr_scope *scopes[] = {q->asker->scope, &q->resolver->scopes[0]};
+    tr_near near = {NULL, 0};
+    for (int k = 0; k < 2; k++) {
+        for (int i = 0; i < scopes[k]->n; i++) tr_text_nearer(&near, name, scopes[k]->entries[i].param->key);
+    }
+    snprintf(problem->text, sizeof problem->text,
+             "unknown name `%s`%s; a name is a key of this mapping, section.key, or a unit: " TR_EXPRESSION_UNITS,
+             tr_text_show(name).text, tr_text_hint(&near).text);
+    return TR_UNKNOWN;
+}
+
+static tr_found find(void *context, const char *name, tr_quantity *quantity, tr_problem *problem) {
+    const request *q = context;
+    tr_entry *e = lookup(q->resolver, q->asker->scope, name);
+    if (!e) return tr_expression_reserved(name) ? TR_UNKNOWN : unknown(q, name, problem);
+    if (e->law && !e->node) {
+        snprintf(problem->text, sizeof problem->text, "`%s` belongs to the law %s, which is not chosen", name, e->law);
+        return TR_FAILED;
+    }
+    if (e->param->type != TR_REAL && e->param->type != TR_COUNT) {
+        snprintf(problem->text, sizeof problem->text, "`%s` is not a quantity", name);
+        return TR_FAILED;
+    }
+    if (!tr_resolve(q->resolver, e, q->asker)) return TR_FAILED;
+    if (e->param->type == TR_REAL)
+        *quantity = (tr_quantity){*(double *)e->value, e->param->dim};
+    else
+        *quantity = (tr_quantity){*(int *)e->value, TR_DIM_NUMBER};
+    return TR_FOUND;
+}
+
+/* TR_REAL and TR_COUNT: text to a number within the bounds of the row. */
+static bool read_number(tr_resolver *r, tr_entry *e, const char *text, double *value) {
+    const tr_param *p = e->param;
+    const char *key = p->key, *unit = p->type == TR_REAL && strcmp(p->unit, "1") != 0 ? p->unit : "";
+    request q = {r, e};
+    tr_problem problem;
+    const tr_dim number = TR_DIM_NUMBER;
+    if (!tr_expression_value(r->expression, text, p->type == TR_REAL ? p->dim : number, &(tr_names){find, &q}, value,
+                             &problem))
+        return fail(r, e, problem.at, "%s (`%s` is %s%s)", problem.text, key, *unit ? "in " : "a number", unit);
+    if (p->type == TR_COUNT && *value != floor(*value))
+        return fail(r, e, 0, "`%s` must be a whole number, %g to %g", key, p->min, p->max);
+    if (!(*value >= p->min && *value <= p->max))
+        return fail(r, e, 0, "`%s` is %.9g, allowed is %g to %g%s%s", key, *value, p->min, p->max, *unit ? " " : "",
+                    unit);
+    return true;
+}
+
+/* uint64_t: all digits count, so no arithmetic in double. */
+static bool read_seed(tr_resolver *r, tr_entry *e, const char *text) {
+    size_t digits = strspn(text, "0123456789");
+    errno = 0;
+    *(uint64_t *)e->value = strtoull(text, NULL, 10);
+    if (digits && !text[digits] && errno == 0) return true;
+    return fail(r, e, 0, "`%s` must be a whole number, 0 to %llu", e->param->key, (unsigned long long)UINT64_MAX);
+}
+
+static bool read_choice(tr_resolver *r, tr_entry *e, const char *text) {
+    char list[240] = "";
+    tr_near near = {NULL, 0};
+    tr_shown name, nearest;
+    for (int i = 0; tr_tables_choice(r->catalog, e->param, i, &name); i++) {
+        if (strcmp(name.text, text) == 0) return *(int *)e->value = i, true;
+        tr_text_nearer(&near, text, name.text);
+        if (near.word == name.text) nearest = name, near.word = nearest.text;
+        size_t used = strlen(list);
+        snprintf(list + used, sizeof list - used, "%s%s", used ? " | " : "", name.text);
+    }
+    return fail(r, e, 0, "`%s` is not a choice for `%s`%s; allowed is %s", tr_text_show(text).text, e->param->key,
+                tr_text_hint(&near).text, list);
+}
+
+static bool read_switch(tr_resolver *r, tr_entry *e, const char *text) {
+    bool yes = strcmp(text, "yes") == 0 || strcmp(text, "true") == 0;
+    *(bool *)e->value = yes;
+    if (yes || strcmp(text, "no") == 0 || strcmp(text, "false") == 0) return true;
+    return fail(r, e, 0, "`%s` is not a choice for `%s`; allowed is yes | no", tr_text_show(text).text, e->param->key);
+}
+
+static bool read_value(tr_resolver *r, tr_entry *e, const char *text) {
+    double value;
+    switch (e->param->type) {
+    case TR_REAL:
+        return read_number(r, e, text, e->value);
+    case TR_COUNT:
+        return read_number(r, e, text, &value) && (*(int *)e->value = (int)value, true);
+    case TR_SEED:
+        return read_seed(r, e, text);
+    case TR_CHOICE:
+        return read_choice(r, e, text);
+    case TR_SWITCH:
+        return read_switch(r, e, text);
+    }
+    return false;
+}
+
+/* asker's text names e, which is busy: asker was asked by ... was asked by e. */
+static bool cycle(tr_resolver *r, const tr_entry *e, const tr_entry *asker) {
+    const tr_entry *way[MAX_DEPTH + 1];
+    int n = 0;
+    for (way[n++] = e; asker != e && n <= MAX_DEPTH; asker = asker->asker) way[n++] = asker;
+    char text[300] = "";
+    for (int i = n; i >= 0; i--) {
+        size_t used = strlen(text);
+        const tr_entry *step = way[i % n]; /* e, first asked ... last asker, e */
+        snprintf(text + used, sizeof text - used, "%s%s", used ? " -> " : "",
+                 tr_resolve_name(step->scope, step->param->key).text);
+    }
+    return fail(r, n > 1 ? way[1] : e, 0, "these keys name each other in a circle: %s", text);
+}
+
+bool tr_resolve(tr_resolver *r, tr_entry *e, tr_entry *asker) {
+    if (e->state == TR_ENTRY_DONE) return true;
+    if (e->state == TR_ENTRY_BUSY) return cycle(r, e, asker);
+    const tr_param *p = e->param;
+    tr_shown name = tr_resolve_name(e->scope, p->key);
+    if (!e->node && !e->fallback)
+        return tr_text_fail(r->st, e->scope->mark,
+                            p->type == TR_REAL ? "`%s` is missing: %s [%s]" : "`%s` is missing: %s", name.text, p->doc,
+                            p->unit);
+    if (e->node && e->node->type != TR_NODE_VALUE)
+        return tr_text_fail(r->st, e->node->mark, "`%s` must be a single value: %s", name.text, p->doc);
+    const char *text = e->node ? e->node->text : e->fallback;
+    if (*text == '\0') return fail(r, e, 0, "`%s` has no value: %s", name.text, p->doc);
+    if (r->depth == MAX_DEPTH) return fail(r, e, 0, "names name names more than %d deep", MAX_DEPTH);
+    e->state = TR_ENTRY_BUSY;
+    e->asker = asker;
+    r->depth++;
+    bool ok = read_value(r, e, text);
+    r->depth--;
+    e->state = TR_ENTRY_DONE;
+    return ok;
+}

@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: MIT */
+/* What a case IS: plain structs in SI units, filled from a YAML file through the rows of tables.c.
+ *
+ * Everything a run depends on is in tr_scene; nothing else is read later. A disk is a cylinder per metre of length. */
+#ifndef TR_SCENE_H
+#define TR_SCENE_H
+
+#include "base/param.h"
+#include "base/status.h"
+#include <stddef.h>
+#include <stdint.h>
+
+typedef enum tr_kind { TR_KIND_BIAXIAL, TR_KIND_BODIES } tr_kind; /* order of the choices of `kind:` */
+
+typedef enum tr_color { TR_COLOR_MOBILISATION, TR_COLOR_SLIDING, TR_COLOR_ROLLING } tr_color;
+
+enum { TR_LAW_PAR = 16 }; /* room for one law's parameter struct, in doubles */
+
+/* A law of one slot: its row in the catalog, and its parameters as the struct that its own table describes. */
+typedef struct tr_scene_law {
+    int law;
+    double par[TR_LAW_PAR];
+} tr_scene_law;
+
+typedef struct tr_scene_contact {
+    tr_scene_law normal, friction, rolling;
+    int rolling_velocity; /* index into the catalog's rolling_velocities */
+} tr_scene_contact;
+
+typedef struct tr_scene_sample {
+    int disks;
+    double r_min, r_max; /* [m] radii uniform between */
+    double density;      /* [kg/m^3] */
+} tr_scene_sample;
+
+typedef struct tr_scene_compaction {
+    double pressure;        /* [Pa] on all four walls */
+    double mu;              /* friction coefficient while compacting [1] */
+    double inertial_number; /* largest wall speed, as an inertial number [1] */
+    double unbalanced;      /* ends at mean net force / mean contact force below this [1] */
+} tr_scene_compaction;
+
+typedef struct tr_scene_shear {
+    double lateral_pressure; /* [Pa] on the two lateral walls */
+    double inertial_number;  /* I = rate sqrt(mean disk mass per metre / lateral_pressure) [1] */
+    double strain_end;       /* axial strain, compression positive [1] */
+    int walls;               /* 0 smooth: normal force only; 1 rough: the laws of the disks */
+} tr_scene_shear;
+
+typedef struct tr_scene_step {
+    double safety;       /* dt = safety * stability bound */
+    double dt;           /* [s]; 0: from safety */
+    bool allow_unstable; /* run a dt above the bound all the same */
+} tr_scene_step;
+
+typedef struct tr_scene_output {
+    int frames;   /* pictures over the run, equally spaced, the last at the end; 0: none */
+    int rows;     /* rows of history.csv */
+    int contacts; /* instants at which contacts.csv lists the contacts */
+    int color;    /* tr_color: field that colours the contacts in frames */
+    bool energy;  /* keep the energy ledger */
+} tr_scene_output;
+
+typedef struct tr_scene_disk {
+    double radius, density, x, y, angle; /* [m kg/m^3 m m rad] */
+    double vx, vy, spin;                 /* [m/s m/s rad/s] */
+    int motion;                          /* 0 free: forces move it; 1 prescribed: keeps vx, vy, spin */
+} tr_scene_disk;
+
+/* A rigid plane through (x, y); (nx, ny) points to the side where the disks are (normalised on reading). */
+typedef struct tr_scene_wall {
+    double x, y, nx, ny;
+    double vx, vy;
+} tr_scene_wall;
+
+typedef struct tr_scene {
+    tr_kind kind;
+    uint64_t seed;
+    tr_scene_contact contact;
+    tr_scene_step step;
+    tr_scene_output output;
+    /* kind: biaxial */
+    tr_scene_sample sample;
+    tr_scene_compaction compaction;
+    tr_scene_shear shear;
+    /* kind: bodies */
+    struct tr_scene_gravity {
+        double x, y; /* [m/s^2] */
+    } gravity;
+    double time_end;      /* [s] */
+    tr_scene_disk *disks; /* owned by the scene */
+    tr_scene_wall *walls; /* owned by the scene */
+    int n_disks, n_walls;
+} tr_scene;
+
+/* Reads a case. text: the bytes of the file (need not end in NUL; at most 1 MB). name: how messages call the file.
+ * sets: n_sets overrides "dotted.key=value" of the command line, under the same checks as the file (list items by
+ * number: "disks.0.spin=2"). On success *scene owns its arrays: tr_scene_free. On failure *scene is empty and the
+ * message is "name:line:column: error: what, and what is allowed", the source line and a caret; code TR_BAD_CASE. */
+bool tr_scene_read(tr_scene *scene, const char *name, const char *text, size_t size, const char *const *sets,
+                   int n_sets, const tr_param_catalog *catalog, tr_status *st);
+
+/* The same from a file. Cannot open or read: TR_FILE. */
+bool tr_scene_read_file(tr_scene *scene, const char *path, const char *const *sets, int n_sets,
+                        const tr_param_catalog *catalog, tr_status *st);
+
+/* The whole case with every default written out, in SI with 17 digits, each key's meaning and unit as a comment.
+ * Reading it gives the same scene, bit for bit. Allocated: free(); NULL when memory is short. */
+char *tr_scene_write(const tr_scene *scene, const tr_param_catalog *catalog, tr_status *st);
+
+void tr_scene_free(tr_scene *scene);
+
+#endif

@@ -1,0 +1,174 @@
+/* SPDX-License-Identifier: MIT */
+/* The keys of a case, in the order in which the resolved case lists them. Bounds are wide: they catch slips of units
+ * and of signs, not unusual physics. No key may be the name of a unit, so that `m` is always the metre. */
+#include "scene/tables.h"
+
+#include <math.h>
+#include <string.h>
+
+#define ROWS(rows) rows, sizeof rows / sizeof *rows
+#define AT(field) offsetof(STRUCT, field)
+
+#define STRUCT tr_scene
+static const tr_param root[] = {
+    {"kind", TR_CHOICE, TR_DIM_NUMBER, "", NULL, 0, 0, "biaxial|bodies", AT(kind),
+     "what is simulated: a biaxial test, or a few bodies"},
+    {"seed", TR_SEED, TR_DIM_NUMBER, "", "1", 0, 0, NULL, AT(seed),
+     "start of the random numbers: same seed, same sample"},
+};
+static const tr_param root_bodies[] = {
+    {"time_end", TR_REAL, TR_DIM_TIME, "s", NULL, 1e-12, 1e6, NULL, AT(time_end), "time that the run covers"},
+};
+#undef STRUCT
+
+#define STRUCT tr_scene_sample
+static const tr_param sample[] = {
+    {"disks", TR_COUNT, TR_DIM_NUMBER, "", "400", 2, 1e7, NULL, AT(disks), "number of disks"},
+    {"r_min", TR_REAL, TR_DIM_LENGTH, "m", NULL, 1e-9, 1e3, NULL, AT(r_min),
+     "smallest radius; radii uniform up to r_max"},
+    {"r_max", TR_REAL, TR_DIM_LENGTH, "m", NULL, 1e-9, 1e3, NULL, AT(r_max), "largest radius"},
+    {"density", TR_REAL, TR_DIM_DENSITY, "kg/m^3", "2700", 1e-3, 1e6, NULL, AT(density), "density of the disks"},
+};
+#undef STRUCT
+
+#define STRUCT tr_scene_contact
+static const tr_param contact[] = {
+    {"normal", TR_CHOICE, TR_DIM_NUMBER, "", "linear", 0, 0, NULL, AT(normal.law), "law of the normal force"},
+    {"friction", TR_CHOICE, TR_DIM_NUMBER, "", "coulomb-spring", 0, 0, NULL, AT(friction.law),
+     "law of the friction force"},
+    {"rolling", TR_CHOICE, TR_DIM_NUMBER, "", "wang-spring", 0, 0, NULL, AT(rolling.law),
+     "law of the rolling resistance"},
+    {"rolling_velocity", TR_CHOICE, TR_DIM_NUMBER, "", "wang", 0, 0, NULL, AT(rolling_velocity),
+     "definition of the rolling velocity"},
+};
+#undef STRUCT
+
+#define STRUCT tr_scene_compaction
+static const tr_param compaction[] = {
+    {"pressure", TR_REAL, TR_DIM_PRESSURE, "Pa", NULL, 1e-3, 1e12, NULL, AT(pressure), "pressure on all four walls"},
+    {"mu", TR_REAL, TR_DIM_NUMBER, "1", "0", 0, 10, NULL, AT(mu),
+     "friction coefficient while compacting; 0 packs densest"},
+    {"inertial_number", TR_REAL, TR_DIM_NUMBER, "1", "1e-2", 1e-9, 1, NULL, AT(inertial_number),
+     "largest speed of the walls, as an inertial number"},
+    {"unbalanced", TR_REAL, TR_DIM_NUMBER, "1", "1e-4", 1e-12, 0.1, NULL, AT(unbalanced),
+     "compacted when mean net force / mean contact force is below"},
+};
+#undef STRUCT
+
+#define STRUCT tr_scene_shear
+static const tr_param shear[] = {
+    {"lateral_pressure", TR_REAL, TR_DIM_PRESSURE, "Pa", "compaction.pressure", 1e-3, 1e12, NULL, AT(lateral_pressure),
+     "pressure on the two lateral walls"},
+    {"inertial_number", TR_REAL, TR_DIM_NUMBER, "1", "1e-3", 1e-9, 1, NULL, AT(inertial_number),
+     "I = strain rate sqrt(mean disk mass / lateral_pressure); below 1e-3 quasi-static"},
+    {"strain_end", TR_REAL, TR_DIM_NUMBER, "1", "0.20", 1e-9, 0.5, NULL, AT(strain_end),
+     "axial strain at the end, compression positive"},
+    {"walls", TR_CHOICE, TR_DIM_NUMBER, "", "smooth", 0, 0, "smooth|rough", AT(walls),
+     "smooth: normal force only; rough: the laws of the disks"},
+};
+#undef STRUCT
+
+#define STRUCT struct tr_scene_gravity
+static const tr_param gravity[] = {
+    {"x", TR_REAL, TR_DIM_ACCELERATION, "m/s^2", "0", -1e9, 1e9, NULL, AT(x), "acceleration of gravity to the right"},
+    {"y", TR_REAL, TR_DIM_ACCELERATION, "m/s^2", "0", -1e9, 1e9, NULL, AT(y), "acceleration of gravity upward"},
+};
+#undef STRUCT
+
+#define STRUCT tr_scene_step
+static const tr_param step[] = {
+    {"safety", TR_REAL, TR_DIM_NUMBER, "1", "0.5", 1e-6, 1, NULL, AT(safety), "time step over its stability bound"},
+    {"dt", TR_REAL, TR_DIM_TIME, "s", "0", 0, 1e6, NULL, AT(dt), "time step; 0: safety times the bound"},
+    {"allow_unstable", TR_SWITCH, TR_DIM_NUMBER, "", "no", 0, 0, NULL, AT(allow_unstable),
+     "run a dt above the bound all the same"},
+};
+#undef STRUCT
+
+#define STRUCT tr_scene_output
+static const tr_param output[] = {
+    {"frames", TR_COUNT, TR_DIM_NUMBER, "", "20", 0, 1e5, NULL, AT(frames), "pictures over the run; 0: none"},
+    {"rows", TR_COUNT, TR_DIM_NUMBER, "", "400", 2, 1e6, NULL, AT(rows), "rows of history.csv"},
+    {"contacts", TR_COUNT, TR_DIM_NUMBER, "", "1", 0, 1e5, NULL, AT(contacts), "instants listed in contacts.csv"},
+    {"color", TR_CHOICE, TR_DIM_NUMBER, "", "mobilisation", 0, 0, "mobilisation|sliding|rolling", AT(color),
+     "what colours the contacts: |f_t|/(mu f_n), sliding or rolling velocity"},
+};
+static const tr_param output_biaxial[] = {
+    {"energy", TR_SWITCH, TR_DIM_NUMBER, "", "yes", 0, 0, NULL, AT(energy), "keep the energy ledger"},
+};
+#undef STRUCT
+
+#define STRUCT tr_scene_disk
+static const tr_param disk[] = {
+    {"radius", TR_REAL, TR_DIM_LENGTH, "m", NULL, 1e-9, 1e3, NULL, AT(radius), "radius"},
+    {"density", TR_REAL, TR_DIM_DENSITY, "kg/m^3", "2700", 1e-3, 1e6, NULL, AT(density), "density"},
+    {"x", TR_REAL, TR_DIM_LENGTH, "m", NULL, -1e6, 1e6, NULL, AT(x), "centre at the start"},
+    {"y", TR_REAL, TR_DIM_LENGTH, "m", NULL, -1e6, 1e6, NULL, AT(y), "centre at the start"},
+    {"angle", TR_REAL, TR_DIM_NUMBER, "rad", "0", -1e9, 1e9, NULL, AT(angle),
+     "rotation at the start, counter-clockwise"},
+    {"vx", TR_REAL, TR_DIM_SPEED, "m/s", "0", -1e6, 1e6, NULL, AT(vx), "velocity at the start"},
+    {"vy", TR_REAL, TR_DIM_SPEED, "m/s", "0", -1e6, 1e6, NULL, AT(vy), "velocity at the start"},
+    {"spin", TR_REAL, TR_DIM_SPIN, "rad/s", "0", -1e9, 1e9, NULL, AT(spin),
+     "rotation rate at the start, counter-clockwise"},
+    {"motion", TR_CHOICE, TR_DIM_NUMBER, "", "free", 0, 0, "free|prescribed", AT(motion),
+     "free: forces move it; prescribed: keeps vx, vy, spin"},
+};
+#undef STRUCT
+
+#define STRUCT tr_scene_wall
+static const tr_param wall[] = {
+    {"x", TR_REAL, TR_DIM_LENGTH, "m", "0", -1e6, 1e6, NULL, AT(x), "a point of the plane"},
+    {"y", TR_REAL, TR_DIM_LENGTH, "m", "0", -1e6, 1e6, NULL, AT(y), "a point of the plane"},
+    {"nx", TR_REAL, TR_DIM_NUMBER, "1", NULL, -1e6, 1e6, NULL, AT(nx), "normal, to the side of the disks; any length"},
+    {"ny", TR_REAL, TR_DIM_NUMBER, "1", NULL, -1e6, 1e6, NULL, AT(ny), "normal, to the side of the disks; any length"},
+    {"vx", TR_REAL, TR_DIM_SPEED, "m/s", "0", -1e6, 1e6, NULL, AT(vx), "velocity"},
+    {"vy", TR_REAL, TR_DIM_SPEED, "m/s", "0", -1e6, 1e6, NULL, AT(vy), "velocity"},
+};
+#undef STRUCT
+
+#define STRUCT tr_scene
+const tr_section tr_sections[] = {
+    {"", "", TR_FOR_ALL, ROWS(root), 0, 0, 0, 0, 0},
+    {"", "", TR_FOR_BODIES, ROWS(root_bodies), 0, 0, 0, 0, 0},
+    {"sample", "disks before compaction", TR_FOR_BIAXIAL, ROWS(sample), AT(sample), 0, 0, 0, 0},
+    {"contact", "what two disks do to each other", TR_FOR_ALL, ROWS(contact), AT(contact), 0, 0, 0, 0},
+    {"compaction", "isotropic, between four smooth walls", TR_FOR_BIAXIAL, ROWS(compaction), AT(compaction), 0, 0, 0,
+     0},
+    {"shear", "top and bottom wall approach, lateral walls hold their pressure", TR_FOR_BIAXIAL, ROWS(shear), AT(shear),
+     0, 0, 0, 0},
+    {"gravity", "", TR_FOR_BODIES, ROWS(gravity), AT(gravity), 0, 0, 0, 0},
+    {"step", "time step", TR_FOR_ALL, ROWS(step), AT(step), 0, 0, 0, 0},
+    {"output", "what is written", TR_FOR_ALL, ROWS(output), AT(output), 0, 0, 0, 0},
+    {"output", "", TR_FOR_BIAXIAL, ROWS(output_biaxial), AT(output), 0, 0, 0, 0},
+    {"disks", "", TR_FOR_BODIES, ROWS(disk), AT(disks), sizeof(tr_scene_disk), AT(n_disks), 1, 1000},
+    {"walls", "rigid planes", TR_FOR_BODIES, ROWS(wall), AT(walls), sizeof(tr_scene_wall), AT(n_walls), 0, 100},
+};
+const int tr_n_sections = sizeof tr_sections / sizeof *tr_sections;
+
+tr_slot tr_tables_slot(const tr_param_catalog *catalog, int i) {
+    const tr_slot slots[TR_SLOTS] = {
+        {"normal", catalog->normal, catalog->n_normal, AT(contact.normal)},
+        {"friction", catalog->friction, catalog->n_friction, AT(contact.friction)},
+        {"rolling", catalog->rolling, catalog->n_rolling, AT(contact.rolling)},
+    };
+    return slots[i];
+}
+#undef STRUCT
+
+bool tr_tables_choice(const tr_param_catalog *catalog, const tr_param *param, int i, tr_shown *name) {
+    for (int k = 0; k < TR_SLOTS; k++) {
+        tr_slot slot = tr_tables_slot(catalog, k);
+        if (param->choices || strcmp(param->key, slot.key) != 0) continue;
+        if (i < slot.n) *name = tr_text_show(slot.laws[i]->name);
+        return i < slot.n;
+    }
+    const char *p = param->choices ? param->choices : catalog->rolling_velocities;
+    for (; i > 0; i--) {
+        p = strchr(p, '|');
+        if (!p) return false;
+        p++;
+    }
+    char text[sizeof name->text] = "";
+    strncat(text, p, strcspn(p, "|") < sizeof text ? strcspn(p, "|") : sizeof text - 1);
+    *name = tr_text_show(text);
+    return true;
+}

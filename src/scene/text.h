@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT */
+/* Text that came from a user: where a character of it stands, whether it may be read at all, and how a message shows
+ * it. */
+#ifndef TR_TEXT_H
+#define TR_TEXT_H
+
+#include "base/status.h"
+#include <stddef.h>
+
+/* A file's bytes, or the text of one --set. Outlives every mark in it. */
+typedef struct tr_source {
+    const char *name, *text;
+    size_t size;
+} tr_source;
+
+/* A place in a source: line and column count from 1, columns count characters. */
+typedef struct tr_mark {
+    const tr_source *source;
+    int line, column;
+} tr_mark;
+
+/* A piece of text fit for a message: short, one line, nothing that a terminal would obey. */
+typedef struct tr_shown {
+    char text[64];
+} tr_shown;
+
+/* Cut to about 40 characters, control characters as \xNN. Use as tr_text_show(s).text inside one call. */
+tr_shown tr_text_show(const char *text);
+
+/* Fails with TR_BAD_CASE and "name:line:column: error: <format>", the source line (about 100 characters around the
+ * column) and a caret under the column. Returns false. */
+bool tr_text_fail(tr_status *st, tr_mark at, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+/* The source is at most 1 MB of UTF-8 without tabs, NUL and other control characters; line ends are \n, \r\n or \r. */
+bool tr_text_check(const tr_source *source, tr_status *st);
+
+/* Behind the last visible character of a source: what a message about something missing points at. */
+tr_mark tr_text_end(const tr_source *source);
+
+/* "Did you mean": the closest of the candidates offered so far; word is NULL while none is close. */
+typedef struct tr_near {
+    const char *word;
+    int distance;
+} tr_near;
+
+void tr_text_nearer(tr_near *best, const char *wanted, const char *candidate);
+tr_shown tr_text_hint(const tr_near *best); /* " (did you mean `word`?)" or "" */
+
+#endif

@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: MIT */
+/* tr_scene to case text: the tables again, the other way round. */
+#include "scene/tables.h"
+#include "base/alloc.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct writer {
+    const tr_scene *scene;
+    const tr_param_catalog *catalog;
+    FILE *out;
+} writer;
+
+/* One key; lead is what stands before it. */
+static void write_key(const writer *w, const tr_param *p, const void *base, const char *lead, bool comment) {
+    const void *value = (const char *)base + p->offset;
+    char text[64] = "", line[160];
+    switch (p->type) {
+    case TR_REAL:
+        snprintf(text, sizeof text, "%.17g", *(const double *)value);
+        break;
+    case TR_COUNT:
+        snprintf(text, sizeof text, "%d", *(const int *)value);
+        break;
+    case TR_SEED:
+        snprintf(text, sizeof text, "%" PRIu64, *(const uint64_t *)value);
+        break;
+    case TR_SWITCH:
+        strcpy(text, *(const bool *)value ? "yes" : "no");
+        break;
+    case TR_CHOICE: {
+        tr_shown name = {{0}};
+        tr_tables_choice(w->catalog, p, *(const int *)value, &name);
+        strcpy(text, name.text);
+    }
+    }
+    snprintf(line, sizeof line, "%s%s: %s", lead, p->key, text);
+    if (!comment)
+        fprintf(w->out, "%s\n", line);
+    else if (p->type == TR_REAL)
+        fprintf(w->out, "%-42s # %s [%s]\n", line, p->doc, p->unit);
+    else
+        fprintf(w->out, "%-42s # %s\n", line, p->doc);
+}
+
+/* Parameters of the chosen laws. A key that two of them share is written once. */
+static void write_laws(const writer *w) {
+    for (int k = 0; k < TR_SLOTS; k++) {
+        tr_slot slot = tr_tables_slot(w->catalog, k);
+        const tr_scene_law *law = (const void *)((const char *)w->scene + slot.offset);
+        const tr_param_table *table = slot.laws[law->law];
+        for (int i = 0; i < table->n; i++) {
+            bool written = false;
+            for (int before = 0; before < k; before++) {
+                tr_slot other = tr_tables_slot(w->catalog, before);
+                const tr_scene_law *chosen = (const void *)((const char *)w->scene + other.offset);
+                const tr_param_table *t = other.laws[chosen->law];
+                for (int j = 0; j < t->n; j++) written |= strcmp(t->params[j].key, table->params[i].key) == 0;
+            }
+            if (!written) write_key(w, &table->params[i], law->par, "  ", true);
+        }
+    }
+}
+
+/* Meanings stand at the first item only: a thousand disks must stay under the size limit of a case. */
+static void write_list(const writer *w, const tr_section *t) {
+    const char *items;
+    memcpy(&items, (const char *)w->scene + t->offset, sizeof items);
+    int n = *(const int *)(const void *)((const char *)w->scene + t->count);
+    for (int i = 0; i < n; i++) {
+        for (int k = 0; k < t->n; k++)
+            write_key(w, &t->params[k], items + (size_t)i * t->item, k == 0 ? "  - " : "    ", i == 0);
+    }
+}
+
+static void write_section(const writer *w, const tr_section *t, bool begins) {
+    if (*t->key && begins) fprintf(w->out, *t->doc ? "\n%s: # %s\n" : "\n%s:\n", t->key, t->doc);
+    if (t->item) {
+        write_list(w, t);
+        return;
+    }
+    for (int i = 0; i < t->n; i++)
+        write_key(w, &t->params[i], (const char *)w->scene + t->offset, *t->key ? "  " : "", true);
+    if (strcmp(t->key, "contact") == 0) write_laws(w);
+}
+
+char *tr_scene_write(const tr_scene *scene, const tr_param_catalog *catalog, tr_status *st) {
+    char *text = NULL;
+    size_t size;
+    writer w = {scene, catalog, open_memstream(&text, &size)};
+    if (w.out) {
+        for (int i = 0; i < tr_n_sections; i++) {
+            const tr_section *t = &tr_sections[i];
+            bool begins = i == 0 || strcmp(t->key, t[-1].key) != 0;
+            if (t->kinds & (1u << scene->kind)) write_section(&w, t, begins);
+        }
+        bool failed = ferror(w.out);
+        if (fclose(w.out) == 0 && !failed) return text;
+    }
+    tr_status_fail(st, TR_FILE, "error: out of memory");
+    free(text);
+    return NULL;
+}

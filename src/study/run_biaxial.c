@@ -1,0 +1,199 @@
+/* SPDX-License-Identifier: MIT */
+/* A biaxial test with its outputs: compaction, shear, summary, curves. */
+#include "core/biaxial.h"
+#include "core/step.h"
+#include "out/plot.h"
+#include "out/summary.h"
+#include "base/alloc.h"
+#include "study/run_internal.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct test {
+    tr_biaxial b;
+    const tr_scene *scene;
+    const tr_run_options *options;
+    tr_run_report *report;
+    tr_outputs out;
+    tr_series series;
+    tr_view view; /* what stays the same in every frame */
+    char title[96];
+    double e0, unbalanced, stress_2_sum;
+    int stress_2_n;
+    tr_biaxial_state state; /* of the last row */
+    tr_energy energy;
+} test;
+
+static bool compact(test *t, tr_status *st) {
+    const int at_once = 200;
+    bool done = false;
+    double asked = t->scene->compaction.unbalanced, fraction = 0;
+    while (!done) {
+        if (tr_run_stopped(t->options)) return tr_status_fail(st, TR_INTERRUPTED, "stopped during compaction");
+        if (!tr_biaxial_compact(&t->b, at_once, &t->unbalanced, &done, st)) return false;
+        fraction = fmax(fraction, log(t->unbalanced) / log(asked)); /* it decays exponentially */
+        tr_run_progress(t->options, "compaction", fraction);
+    }
+    return tr_biaxial_begin_shear(&t->b, st);
+}
+
+/* Value of a law's parameter by its key; NAN if the law has none of that name. */
+static double law_value(const tr_slot *slot, const char *key) {
+    const tr_param_table *table = &slot->law->table;
+    double value = NAN;
+    for (int k = 0; k < table->n; k++)
+        if (!strcmp(table->params[k].key, key))
+            memcpy(&value, (const char *)slot->par + table->params[k].offset, sizeof value);
+    return value;
+}
+
+/* One scale and one box for the whole film. */
+static void set_view(test *t) {
+    const tr_wall *w = t->b.world.wall;
+    const tr_scene_sample *sample = &t->scene->sample;
+    double width = w[TR_RIGHT_WALL].x - w[TR_LEFT_WALL].x, centre = 0.5 * (w[TR_RIGHT_WALL].x + w[TR_LEFT_WALL].x);
+    double spread = 0.5 * width * 1.1 / (1 - t->scene->shear.strain_end); /* volume kept, and a tenth of dilation */
+    double d = sample->r_min + sample->r_max, speed = 4 * t->b.rate * d;
+    tr_record typical = {.v_s = speed, .v_r = speed};
+    const tr_slot *rolling = &t->b.world.group[0].slot[TR_ROLLING];
+    double mu = law_value(&t->b.world.group[0].slot[TR_FRICTION], "mu"), mu_r = law_value(rolling, "mu_r");
+    snprintf(t->title, sizeof t->title, "Biaxial test   μ = %g, μ_r = %g", isnan(mu) ? 0 : mu, isnan(mu_r) ? 0 : mu_r);
+    t->view = (tr_view){
+        .world = &t->b.world,
+        .color = (tr_color)t->scene->output.color,
+        .title = t->title,
+        .range = tr_frame_range(&typical, 1, (tr_color)t->scene->output.color),
+        .f_mean = 1.5 * t->scene->shear.lateral_pressure * d,
+        .x0 = centre - spread,
+        .x1 = centre + spread,
+        .y0 = w[TR_BOTTOM_WALL].y,
+        .y1 = w[TR_TOP_WALL].y,
+        .time_end = (double)t->b.shear_steps * t->b.world.dt,
+    };
+}
+
+static bool frame(test *t, int n_records, const tr_measures *m, tr_status *st) {
+    char text[5][48];
+    tr_view_line line[5] = {
+        {"strain", text[0]}, {"sin φ", text[1]}, {"void ratio", text[2]}, {"contacts", text[3]}, {"sliding", text[4]}};
+    snprintf(text[0], sizeof text[0], "%.1f %%", 100 * t->state.strain);
+    snprintf(text[1], sizeof text[1], "%.2f", t->state.sin_phi);
+    snprintf(text[2], sizeof text[2], "%.3f", t->state.void_ratio);
+    snprintf(text[3], sizeof text[3], "%d", m->n_contacts);
+    snprintf(text[4], sizeof text[4], "%.0f %%", 100 * m->sliding_fraction);
+    tr_view view = t->view;
+    view.record = t->out.records, view.n_records = n_records;
+    view.time = t->state.time;
+    view.line = line, view.n_lines = 5;
+    return tr_outputs_frame(&t->out, tr_draw_biaxial, &view, st);
+}
+
+static bool row(test *t, const tr_measures *m, tr_status *st) {
+    tr_row cells;
+    bool energy = t->b.world.ledger != NULL;
+    if (energy) t->energy = tr_ledger_read(&t->b.world);
+    t->series.strain[t->series.n] = t->state.strain;
+    t->series.sin_phi[t->series.n] = t->state.sin_phi;
+    t->series.void_ratio[t->series.n++] = t->state.void_ratio;
+    if (t->state.strain > 0.01) t->stress_2_sum += t->state.stress_2, t->stress_2_n++;
+    tr_row_biaxial(&cells, &t->state, m, energy ? &t->energy : NULL);
+    return tr_outputs_row(&t->out, &cells, st);
+}
+
+static bool look(test *t, unsigned due, tr_status *st) {
+    double start = tr_run_clock();
+    int n = tr_record_all(&t->b.world, &t->out.records, &t->out.capacity, st);
+    if (st->code) return false;
+    tr_measures m = tr_measures_of(&t->b.world, t->out.records, n);
+    if (due & TR_DUE_ROW)
+        t->state = tr_biaxial_read(&t->b);
+    else
+        tr_biaxial_shape(&t->b, &t->state);
+    if (due & TR_DUE_ROW && !row(t, &m, st)) return false;
+    if (due & TR_DUE_CONTACTS && !tr_outputs_contacts(&t->out, t->state.time, t->state.strain, n, st)) return false;
+    if (due & TR_DUE_FRAME && !frame(t, n, &m, st)) return false;
+    t->out.seconds += tr_run_clock() - start;
+    return true;
+}
+
+static bool shear(test *t, tr_status *st) {
+    int64_t total = t->b.shear_steps;
+    for (int64_t k = 0;; k++) {
+        if (tr_run_stopped(t->options))
+            return tr_status_fail(st, TR_INTERRUPTED, "stopped at strain %.4f of %g", t->state.strain,
+                                  t->scene->shear.strain_end);
+        if (!tr_biaxial_forces(&t->b, st)) return false;
+        unsigned due = tr_outputs_due(&t->out, k, total);
+        if (due && !look(t, due, st)) return false;
+        if (k == total) return true;
+        if (k % 256 == 0) tr_run_progress(t->options, "shear", (double)k / (double)total);
+        tr_step_advance(&t->b.world);
+    }
+}
+
+static void report(test *t, const tr_strength *s, const tr_timing *timing) {
+    tr_run_report *r = t->report;
+    tr_run_say(r, "disks, seed", "%d, %llu", t->scene->sample.disks, (unsigned long long)t->scene->seed);
+    tr_run_say(r, "inertial number I", "%g", t->scene->shear.inertial_number);
+    tr_run_say(r, "void ratio e0", "%.4f", t->e0);
+    tr_run_say(r, "sin phi, peak", "%.3f at %.1f %% strain", s->sin_phi_peak, 100 * s->strain_peak);
+    tr_run_say(r, "sin phi, residual", "%.3f (mean over %.0f-%.0f %% strain)", s->sin_phi_residual,
+               100 * s->residual_from, 100 * t->scene->shear.strain_end);
+    tr_run_say(r, "void ratio, residual", "%.4f", s->e_residual);
+    tr_run_say(r, "lateral stress", "%.4g Pa, asked %.4g", t->stress_2_sum / t->stress_2_n,
+               t->scene->shear.lateral_pressure);
+    if (t->b.world.ledger) tr_run_say(r, "energy residual/work", "%.1e", t->energy.residual / t->energy.work);
+    tr_run_say(r, "time step", "%.3g s, bound %.3g s", t->b.world.dt, t->b.dt_bound);
+    tr_run_say(r, "steps", "%lld compaction, %lld shear", (long long)t->b.shear_start, (long long)t->b.shear_steps);
+    tr_run_say(r, "wall time", "%.1f s, %.1f M contact updates/s", timing->wall_s, timing->contact_updates_per_s / 1e6);
+}
+
+static bool summarise(test *t, double started, double stepping, tr_status *st) {
+    tr_strength s = tr_summary_strength(&t->series);
+    char caption[200];
+    const tr_scene *scene = t->scene;
+    snprintf(caption, sizeof caption, "%d disks, seed %llu, I = %g, stiffness ratio %g, %s, rolling velocity %s",
+             scene->sample.disks, (unsigned long long)scene->seed, scene->shear.inertial_number,
+             law_value(&t->b.world.group[0].slot[TR_NORMAL], "k_n") / scene->shear.lateral_pressure,
+             t->b.world.group[0].slot[TR_ROLLING].law->table.name,
+             tr_rolling_velocities[scene->contact.rolling_velocity].name);
+    if (!tr_plot_available())
+        tr_run_note(t->report, "no curves: gnuplot is not installed; history.csv has the numbers");
+    else if (!tr_plot_biaxial(t->options->dir, caption, st))
+        return false;
+    tr_timing timing = {tr_run_clock() - started, (double)t->b.world.contact_updates / stepping};
+    char *text = tr_summary_biaxial(scene, &t->b, t->e0, t->unbalanced, &s, t->stress_2_sum / t->stress_2_n,
+                                    t->b.world.ledger ? &t->energy : NULL, &timing, st);
+    if (!text) return false;
+    report(t, &s, &timing);
+    bool ok = tr_file_write(t->options->dir, "summary.json", text, st);
+    free(text);
+    return ok;
+}
+
+bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st) {
+    size_t rows = (size_t)scene->output.rows;
+    test *t = tr_alloc(1, sizeof *t, st);
+    if (!t) return false;
+    t->scene = scene, t->options = options, t->report = report;
+    double started = tr_run_clock();
+    bool ok = (t->series.strain = tr_alloc(rows, sizeof(double), st)) &&
+              (t->series.sin_phi = tr_alloc(rows, sizeof(double), st)) &&
+              (t->series.void_ratio = tr_alloc(rows, sizeof(double), st)) && tr_biaxial_init(&t->b, scene, st) &&
+              compact(t, st);
+    if (ok) {
+        const tr_wall *w = t->b.world.wall;
+        t->e0 =
+            (w[TR_TOP_WALL].y - w[TR_BOTTOM_WALL].y) * (w[TR_RIGHT_WALL].x - w[TR_LEFT_WALL].x) / t->b.disk_area - 1;
+        set_view(t);
+        double shear_started = tr_run_clock();
+        t->b.world.contact_updates = 0;
+        if (tr_outputs_open(&t->out, scene, options, "biaxial.mp4", report, st)) shear(t, st);
+        double stepping = tr_run_clock() - shear_started - t->out.seconds;
+        ok = tr_outputs_close(&t->out, st) && summarise(t, started, stepping, st);
+    }
+    tr_biaxial_free(&t->b);
+    free(t->series.strain), free(t->series.sin_phi), free(t->series.void_ratio), free(t);
+    return ok;
+}

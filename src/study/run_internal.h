@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: MIT */
+/* What the two kinds of run share. */
+#ifndef TR_RUN_INTERNAL_H
+#define TR_RUN_INTERNAL_H
+
+#include "draw/draw.h"
+#include "out/dir.h"
+#include "out/table.h"
+#include "study/run.h"
+
+bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st);
+bool tr_run_bodies(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st);
+
+double tr_run_clock(void); /* wall time [s] */
+
+void tr_run_say(tr_run_report *report, const char *label, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+void tr_run_note(tr_run_report *report, const char *format, ...) __attribute__((format(printf, 2, 3)));
+bool tr_run_stopped(const tr_run_options *options);
+void tr_run_progress(const tr_run_options *options, const char *stage, double fraction);
+
+/* The growing files and the film of a run. */
+typedef struct tr_outputs {
+    const tr_scene *scene;
+    const tr_run_options *options;
+    tr_file history, contacts;
+    tr_canvas *canvas;          /* NULL: no frames asked, Cairo untouched */
+    tr_video *video;            /* NULL: no ffmpeg */
+    int rows, instants, frames; /* written so far */
+    tr_record *records;
+    int capacity;
+    double seconds; /* spent in them; the caller adds it up */
+} tr_outputs;
+
+typedef void tr_draw(tr_canvas *canvas, const tr_view *view);
+
+bool tr_outputs_open(tr_outputs *o, const tr_scene *scene, const tr_run_options *options, const char *film,
+                     tr_run_report *report, tr_status *st);
+/* What is due at step k of total: rows and frames are spread evenly from 0 to the end, lists of contacts end at the
+ * end. */
+enum { TR_DUE_ROW = 1, TR_DUE_FRAME = 2, TR_DUE_CONTACTS = 4 };
+unsigned tr_outputs_due(const tr_outputs *o, int64_t k, int64_t total);
+
+bool tr_outputs_row(tr_outputs *o, const tr_row *row, tr_status *st);
+bool tr_outputs_contacts(tr_outputs *o, double time, double strain, int n_records, tr_status *st);
+bool tr_outputs_frame(tr_outputs *o, tr_draw *draw, const tr_view *view, tr_status *st);
+
+/* Gives the files their names if the run went well, was stopped, or broke down numerically, and adds to such a message
+ * what was kept; removes them when a file could not be written. Returns st->code == TR_OK. */
+bool tr_outputs_close(tr_outputs *o, tr_status *st);
+
+#endif

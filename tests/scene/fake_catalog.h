@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: MIT */
+/* A catalog of laws as the registry would hand it in, made up here so that these tests do not move when the laws do:
+ * two normal laws, of which one shares `mu` with friction; friction and rolling with `none`. */
+#ifndef TR_FAKE_CATALOG_H
+#define TR_FAKE_CATALOG_H
+
+#include "scene/scene.h"
+#include <string.h>
+
+typedef struct fake_linear {
+    double k_n, damping_ratio;
+} fake_linear;
+typedef struct fake_sticky {
+    double k_n, mu;
+    int layers;
+    bool wet;
+    int model;
+} fake_sticky;
+typedef struct fake_spring {
+    double mu, k_t;
+} fake_spring;
+typedef struct fake_rolling {
+    double mu_r, k_r;
+} fake_rolling;
+
+#define FAKE_K(type, key, fallback)                                                                                    \
+    { #key, TR_REAL, TR_DIM_STIFFNESS, "Pa", fallback, 0, 1e15, NULL, offsetof(type, key), "stiffness " #key }
+#define FAKE_MU(type, key, fallback)                                                                                   \
+    { #key, TR_REAL, TR_DIM_NUMBER, "1", fallback, 0, 10, NULL, offsetof(type, key), "coefficient " #key }
+
+static const tr_param fake_linear_rows[] = {FAKE_K(fake_linear, k_n, NULL), FAKE_MU(fake_linear, damping_ratio, "0.3")};
+static const tr_param fake_sticky_rows[] = {
+    FAKE_K(fake_sticky, k_n, NULL),
+    FAKE_MU(fake_sticky, mu, "0.25"),
+    {"layers", TR_COUNT, TR_DIM_NUMBER, "", "3", 1, 9, NULL, offsetof(fake_sticky, layers), "layers"},
+    {"wet", TR_SWITCH, TR_DIM_NUMBER, "", "no", 0, 0, NULL, offsetof(fake_sticky, wet), "wet"},
+    {"model", TR_CHOICE, TR_DIM_NUMBER, "", "jkr", 0, 0, "dmt|jkr", offsetof(fake_sticky, model), "model"},
+};
+static const tr_param fake_spring_rows[] = {FAKE_MU(fake_spring, mu, "0.5"), FAKE_K(fake_spring, k_t, "0.5*k_n")};
+static const tr_param fake_rolling_rows[] = {FAKE_MU(fake_rolling, mu_r, "0.5"), FAKE_K(fake_rolling, k_r, "k_t")};
+
+static const tr_param_table fake_tables[] = {
+    {"linear", "", fake_linear_rows, 2},         {"sticky", "", fake_sticky_rows, 5},
+    {"coulomb-spring", "", fake_spring_rows, 2}, {"none", "", NULL, 0},
+    {"wang-spring", "", fake_rolling_rows, 2},
+};
+static const tr_param_table *const fake_normal[] = {&fake_tables[0], &fake_tables[1]};
+static const tr_param_table *const fake_friction[] = {&fake_tables[2], &fake_tables[3]};
+static const tr_param_table *const fake_rolling_laws[] = {&fake_tables[3], &fake_tables[4]};
+static const tr_param_catalog fake_catalog = {
+    fake_normal, fake_friction, fake_rolling_laws, 2, 2, 2, "wang|bagi-kuhn|alonso-min|alonso-mean"};
+
+static const char biaxial_case[] = "# the biaxial test\n"
+                                   "kind: biaxial\n"
+                                   "seed: 7\n"
+                                   "sample: {disks: 400, r_min: 0.76 mm, r_max: 2*r_min, density: 2.7 g/cm^3}\n"
+                                   "contact:\n"
+                                   "  normal: linear\n"
+                                   "  k_n: 160 MPa\n"
+                                   "  damping_ratio: 0.3\n"
+                                   "  friction: coulomb-spring\n"
+                                   "  mu: 0.5\n"
+                                   "  k_t: 0.5*k_n\n"
+                                   "  rolling: wang-spring\n"
+                                   "  rolling_velocity: bagi-kuhn\n"
+                                   "  mu_r: \"0.5\"\n"
+                                   "  k_r: k_t\n"
+                                   "compaction:\n"
+                                   "  pressure: 160 kPa\n"
+                                   "shear:\n"
+                                   "  inertial_number: 1e-3\n"
+                                   "output: {frames: 20, color: mobilisation, energy: no}\n";
+
+static const char bodies_case[] =
+    "kind: bodies\n"
+    "time_end: 100 ms\n"
+    "gravity: {y: -9.81 m/s^2}\n"
+    "contact: {k_n: 1 MPa, rolling: none}\n"
+    "disks:\n"
+    "  - radius: 1 cm\n"
+    "    x: 0\n"
+    "    y: radius\n"
+    "    vx: 1 m/s\n"
+    "    spin: -1/3\n"
+    "  - {radius: disks.0.radius/3, x: 0.1, y: 1/3 cm, angle: 30 deg, motion: prescribed}\n"
+    "walls:\n"
+    "  - {nx: 0.3, ny: 0.7, vx: 1 mm/s}\n"
+    "  - {nx: -1, ny: 1e-3}\n";
+
+static inline bool fake_read(tr_scene *scene, const char *text, const char *const *sets, int n_sets, tr_status *st) {
+    *st = (tr_status){0};
+    return tr_scene_read(scene, "a.yaml", text, strlen(text), sets, n_sets, &fake_catalog, st);
+}
+
+#endif

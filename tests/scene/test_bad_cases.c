@@ -1,0 +1,282 @@
+/* SPDX-License-Identifier: MIT */
+/* Wrong cases and the whole message each one gets: place, what is wrong, what is allowed, the line, the caret. */
+#include "assert_close.h"
+#include "fake_catalog.h"
+
+#define GOOD                                                                                                           \
+    "kind: biaxial\n"                                                                                                  \
+    "sample: {r_min: 1 mm, r_max: 2 mm}\n"                                                                             \
+    "contact: {k_n: 1 MPa}\n"                                                                                          \
+    "compaction: {pressure: 1 kPa}\n"
+#define NO_DISKS "kind: bodies\ntime_end: 1 s\ncontact: {k_n: 1 MPa}\n"
+#define GOOD_BODIES NO_DISKS "disks: [{radius: 1, x: 0, y: 0}]\n"
+
+typedef struct bad_case {
+    const char *text;
+    size_t size; /* 0: up to the NUL */
+    const char *set, *message;
+} bad_case;
+
+static const bad_case rows[] = {
+    {"", 0, NULL, "a.yaml:1:1: error: the file is empty; a case begins with `kind:`\n\n^"},
+    {"# only a comment\n", 0, NULL,
+     "a.yaml:1:1: error: the file is empty; a case begins with `kind:`\n# only a comment\n^"},
+    {"- a\n- b\n", 0, NULL, "a.yaml:1:1: error: a case must be a mapping of keys and values\n- a\n^"},
+    {"kind: biaxial\n\011seed: 1\n", 0, NULL, "a.yaml:2:1: error: tabs are not allowed; use spaces\n seed: 1\n^"},
+    {"kind: bi\000axial\n", 15, NULL,
+     "a.yaml:1:9: error: character U+0000 is not allowed; a case is a text file\nkind: bi?axial\n        ^"},
+    {"kind: \377\376\n", 0, NULL,
+     "a.yaml:1:7: error: byte 0xff is not UTF-8; a case is a text file\nkind: ??\n      ^"},
+    {"kind: biaxial\nseed: \033[31m\n", 0, NULL,
+     "a.yaml:2:7: error: character U+001B is not allowed; a case is a text file\nseed: ?[31m\n      ^"},
+    {"kind: &a biaxial\n", 0, NULL,
+     "a.yaml:1:7: error: anchors (&name) are not allowed; write the value out\nkind: &a biaxial\n      ^"},
+    {"kind: biaxial\nseed: *a\n", 0, NULL,
+     "a.yaml:2:7: error: aliases (*name) are not allowed; write the value out\nseed: *a\n      ^"},
+    {"kind: !!str biaxial\n", 0, NULL, "a.yaml:1:7: error: tags (!name) are not allowed\nkind: !!str biaxial\n      ^"},
+    {"%TAG ! tag:x,2000:\n---\nkind: biaxial\n", 0, NULL,
+     "a.yaml:1:1: error: tags (%TAG) are not allowed\n%TAG ! tag:x,2000:\n^"},
+    {"kind: biaxial\n---\nkind: bodies\n", 0, NULL,
+     "a.yaml:2:1: error: a second document (---) is not allowed\n---\n^"},
+    {"kind: biaxial\nseed: 1\nkind: bodies\n", 0, NULL,
+     "a.yaml:3:1: error: duplicate key `kind`; it is already given in line 1\nkind: bodies\n^"},
+    {"kind: biaxial\nsample: {disks: 4\n", 0, NULL,
+     "a.yaml:3:1: error: not valid YAML: did not find expected ',' or '}', while parsing a flow mapping that begins in "
+     "line 2\n\n^"},
+    {"kind: biaxial\n seed: 1\n", 0, NULL,
+     "a.yaml:2:6: error: not valid YAML: mapping values are not allowed in this context\n seed: 1\n     ^"},
+    {"kind: biaxial\n[a]: 1\n", 0, NULL, "a.yaml:2:1: error: a key must be plain text\n[a]: 1\n^"},
+    {"seed: 1\n", 0, NULL,
+     "a.yaml:1:1: error: `kind` is missing: what is simulated: a biaxial test, or a few bodies\nseed: 1\n^"},
+    {"kind: triaxial\n", 0, NULL,
+     "a.yaml:1:7: error: `triaxial` is not a choice for `kind` (did you mean `biaxial`?); allowed is biaxial | "
+     "bodies\nkind: triaxial\n      ^"},
+    {"kind: biaxal\n", 0, NULL,
+     "a.yaml:1:7: error: `biaxal` is not a choice for `kind` (did you mean `biaxial`?); allowed is biaxial | "
+     "bodies\nkind: biaxal\n      ^"},
+    {"kind: [biaxial]\n", 0, NULL,
+     "a.yaml:1:7: error: `kind` must be a single value: what is simulated: a biaxial test, or a few bodies\nkind: "
+     "[biaxial]\n      ^"},
+    {GOOD "smaple: {disks: 4}\n", 0, NULL,
+     "a.yaml:5:1: error: unknown key `smaple` (did you mean `sample`?); allowed here: kind, seed, sample, contact, "
+     "compaction, shear, step, output\nsmaple: {disks: 4}\n^"},
+    {GOOD "frobnicate: 3\n", 0, NULL,
+     "a.yaml:5:1: error: unknown key `frobnicate`; allowed here: kind, seed, sample, contact, compaction, shear, step, "
+     "output\nfrobnicate: 3\n^"},
+    {GOOD "gravity: {y: -9.81}\n", 0, NULL,
+     "a.yaml:5:1: error: `gravity` is not for `kind: biaxial`; allowed here: kind, seed, sample, contact, compaction, "
+     "shear, step, output\ngravity: {y: -9.81}\n^"},
+    {GOOD_BODIES "output: {energy: yes}\n", 0, NULL,
+     "a.yaml:5:10: error: `output.energy` is not for `kind: bodies`; allowed here: frames, rows, contacts, "
+     "color\noutput: {energy: yes}\n         ^"},
+    {GOOD "output: {color: mobilization}\n", 0, NULL,
+     "a.yaml:5:17: error: `mobilization` is not a choice for `color` (did you mean `mobilisation`?); allowed is "
+     "mobilisation | sliding | rolling\noutput: {color: mobilization}\n                ^"},
+    {GOOD "output: {energy: maybe}\n", 0, NULL,
+     "a.yaml:5:18: error: `maybe` is not a choice for `energy`; allowed is yes | no\noutput: {energy: maybe}\n         "
+     "        ^"},
+    {"kind: biaxial\ncontact: {k_n: 1}\ncompaction: {pressure: 1}\nsample:\n  r_min: 1 mm\n", 0, NULL,
+     "a.yaml:5:3: error: `sample.r_max` is missing: largest radius [m]\n  r_min: 1 mm\n  ^"},
+    {"kind: biaxial\nsample: {r_min: 1, r_max: 1}\ncontact: {k_n: 1}\n", 0, NULL,
+     "a.yaml:3:18: error: `compaction.pressure` is missing: pressure on all four walls [Pa]\ncontact: {k_n: 1}\n       "
+     "          ^"},
+    {"kind: biaxial\nsample: {r_min: 1 kPa, r_max: 2 mm}\ncontact: {k_n: 1 MPa}\ncompaction: {pressure: 1 kPa}\n", 0,
+     NULL,
+     "a.yaml:2:17: error: wrong dimension: this is in kg m^-1 s^-2 (`r_min` is in m)\nsample: {r_min: 1 kPa, r_max: 2 "
+     "mm}\n                ^"},
+    {"kind: biaxial\nsample: {r_min: 1   mx, r_max: 2 mm}\ncontact: {k_n: 1 MPa}\ncompaction: {pressure: 1 kPa}\n", 0,
+     NULL,
+     "a.yaml:2:21: error: unknown name `mx`; a name is a key of this mapping, section.key, or a unit: kg g t m mm cm "
+     "um km s ms us min N kN MN Pa kPa MPa GPa J Hz deg rad (`r_min` is in m)\nsample: {r_min: 1   mx, r_max: 2 mm}\n  "
+     "                  ^"},
+    {"kind: biaxial\nsample: {r_min: r_mix, r_max: 2 mm}\ncontact: {k_n: 1 MPa}\ncompaction: {pressure: 1 kPa}\n", 0,
+     NULL,
+     "a.yaml:2:17: error: unknown name `r_mix` (did you mean `r_min`?); a name is a key of this mapping, section.key, "
+     "or a unit: kg g t m mm cm um km s ms us min N kN MN Pa kPa MPa GPa J Hz deg rad (`r_min` is in m)\nsample: "
+     "{r_min: r_mix, r_max: 2 mm}\n                ^"},
+    {"kind: biaxial\nsample: {r_min: 3 mm, r_max: 2 mm}\ncontact: {k_n: 1 MPa}\ncompaction: {pressure: 1 kPa}\n", 0,
+     NULL,
+     "a.yaml:2:10: error: `sample.r_min` is 0.003 m, more than `sample.r_max`, which is 0.002 m\nsample: {r_min: 3 mm, "
+     "r_max: 2 mm}\n         ^"},
+    {"kind: biaxial\nsample: {r_min: -1 mm, r_max: 2 mm}\ncontact: {k_n: 1 MPa}\ncompaction: {pressure: 1 kPa}\n", 0,
+     NULL,
+     "a.yaml:2:17: error: `r_min` is -0.001, allowed is 1e-09 to 1000 m\nsample: {r_min: -1 mm, r_max: 2 mm}\n         "
+     "       ^"},
+    {"kind: biaxial\nsample: {r_min: , r_max: 2 mm}\ncontact: {k_n: 1 MPa}\ncompaction: {pressure: 1 kPa}\n", 0, NULL,
+     "a.yaml:2:17: error: `sample.r_min` has no value: smallest radius; radii uniform up to r_max\nsample: {r_min: , "
+     "r_max: 2 mm}\n                ^"},
+    {"kind: biaxial\nsample: {r_min: 1 mm;, r_max: 2 mm}\ncontact: {k_n: 1 MPa}\ncompaction: {pressure: 1 kPa}\n", 0,
+     NULL,
+     "a.yaml:2:21: error: this character cannot stand in a value; allowed are numbers, names, + - * / ^ ( ) (`r_min` "
+     "is in m)\nsample: {r_min: 1 mm;, r_max: 2 mm}\n                    ^"},
+    {"kind: biaxial\nsample: {r_min: sample.r_min, r_max: 2 mm}\ncontact: {k_n: 1 MPa}\ncompaction: {pressure: 1 "
+     "kPa}\n",
+     0, NULL,
+     "a.yaml:2:17: error: these keys name each other in a circle: sample.r_min -> sample.r_min\nsample: {r_min: "
+     "sample.r_min, r_max: 2 mm}\n                ^"},
+    {"kind: biaxial\nsample: {r_min: 1e400, r_max: 2 mm}\ncontact: {k_n: 1 MPa}\ncompaction: {pressure: 1 kPa}\n", 0,
+     NULL,
+     "a.yaml:2:17: error: the result is not a finite number (`r_min` is in m)\nsample: {r_min: 1e400, r_max: 2 mm}\n   "
+     "             ^"},
+    {"kind: biaxial\nsample: {r_min: .nan, r_max: 2 mm}\ncontact: {k_n: 1 MPa}\ncompaction: {pressure: 1 kPa}\n", 0,
+     NULL,
+     "a.yaml:2:17: error: expected a number, a unit, a key or `(` here (`r_min` is in m)\nsample: {r_min: .nan, r_max: "
+     "2 mm}\n                ^"},
+    {"kind: biaxial\nsample: {r_min: r_max, r_max: 0.5*r_min}\ncontact: {k_n: 1 MPa}\ncompaction: {pressure: 1 kPa}\n",
+     0, NULL,
+     "a.yaml:2:31: error: these keys name each other in a circle: sample.r_min -> sample.r_max -> "
+     "sample.r_min\nsample: {r_min: r_max, r_max: 0.5*r_min}\n                              ^"},
+    {"kind: biaxial\nsample: {r_min: kind, r_max: 2 mm}\ncontact: {k_n: 1 MPa}\ncompaction: {pressure: 1 kPa}\n", 0,
+     NULL,
+     "a.yaml:2:17: error: `kind` is not a quantity (`r_min` is in m)\nsample: {r_min: kind, r_max: 2 mm}\n             "
+     "   ^"},
+    {"kind: biaxial\nsample: {r_min: "
+     "11111111111111111111111111111111111111111111111111111111111111111111111111111111111111111111111111111111111111111"
+     "1111111111111111111111111111111111111111111111111111111111111111111111111111111111111111, r_max: 2 mm}\ncontact: "
+     "{k_n: 1 MPa}\ncompaction: {pressure: 1 kPa}\n",
+     0, NULL,
+     "a.yaml:2:17: error: this value is longer than 200 characters (`r_min` is in m)\nsample: {r_min: "
+     "111111111111111111111111111111111111111111111111111111111111111111111111111111111111\n                ^"},
+    {GOOD "step: {safety: 1.5}\n", 0, NULL,
+     "a.yaml:5:16: error: `safety` is 1.5, allowed is 1e-06 to 1\nstep: {safety: 1.5}\n               ^"},
+    {GOOD "step: 3\n", 0, NULL, "a.yaml:5:7: error: `step` must be a mapping of keys and values\nstep: 3\n      ^"},
+    {GOOD "output: {frames: 2.5}\n", 0, NULL,
+     "a.yaml:5:18: error: `frames` must be a whole number, 0 to 100000\noutput: {frames: 2.5}\n                 ^"},
+    {GOOD "output: {frames: 100001}\n", 0, NULL,
+     "a.yaml:5:18: error: `frames` is 100001, allowed is 0 to 100000\noutput: {frames: 100001}\n                 ^"},
+    {GOOD "seed: -1\n", 0, NULL,
+     "a.yaml:5:7: error: `seed` must be a whole number, 0 to 18446744073709551615\nseed: -1\n      ^"},
+    {GOOD "seed: 18446744073709551616\n", 0, NULL,
+     "a.yaml:5:7: error: `seed` must be a whole number, 0 to 18446744073709551615\nseed: 18446744073709551616\n      "
+     "^"},
+    {"kind: biaxial\nsample: {r_min: 1 mm, r_max: 2 mm}\ncontact: {k_n: 1 MPa, friction: none}\ncompaction: {pressure: "
+     "1 kPa}\n",
+     0, NULL,
+     "a.yaml:3:10: error: `contact.k_r` is not given, and its default `k_t` fails: `k_t` belongs to the law "
+     "coulomb-spring, which is not chosen (`k_r` is in Pa); give `k_r`\ncontact: {k_n: 1 MPa, friction: none}\n        "
+     " ^"},
+    {"kind: biaxial\nsample: {r_min: 1 mm, r_max: 2 mm}\ncontact: {k_n: 1 MPa, k_t: 2*k_r}\ncompaction: {pressure: 1 "
+     "kPa}\n",
+     0, NULL,
+     "a.yaml:3:10: error: `contact.k_r` is not given, and its default `k_t` fails: these keys name each other in a "
+     "circle: contact.k_t -> contact.k_r -> contact.k_t; give `k_r`\ncontact: {k_n: 1 MPa, k_t: 2*k_r}\n         ^"},
+    {"kind: biaxial\nsample: {r_min: 1 mm, r_max: 2 mm}\ncontact: {k_n: 1 MPa, normal: liner}\ncompaction: {pressure: "
+     "1 kPa}\n",
+     0, NULL,
+     "a.yaml:3:31: error: `liner` is not a choice for `normal` (did you mean `linear`?); allowed is linear | "
+     "sticky\ncontact: {k_n: 1 MPa, normal: liner}\n                              ^"},
+    {"kind: biaxial\nsample: {r_min: 1 mm, r_max: 2 mm}\ncontact: {k_n: 1 MPa, rolling: none, k_r: 3 mm}\ncompaction: "
+     "{pressure: 1 kPa}\n",
+     0, NULL,
+     "a.yaml:3:43: error: wrong dimension: this is in m (`k_r` is in Pa)\ncontact: {k_n: 1 MPa, rolling: none, k_r: 3 "
+     "mm}\n                                          ^"},
+    {"kind: biaxial\nsample: {r_min: 1 mm, r_max: 2 mm}\ncontact: {k_n: 1 MPa, k_m: 3}\ncompaction: {pressure: 1 "
+     "kPa}\n",
+     0, NULL,
+     "a.yaml:3:23: error: unknown key `contact.k_m` (did you mean `k_n`?); allowed here: normal, friction, rolling, "
+     "rolling_velocity, k_n, damping_ratio, mu, k_t, mu_r, k_r, layers, wet, model\ncontact: {k_n: 1 MPa, k_m: 3}\n    "
+     "                  ^"},
+    {"kind: biaxial\nsample: {r_min: 1 mm, r_max: 2 mm}\ncompaction: {pressure: 1 kPa}\n", 0, NULL,
+     "a.yaml:3:30: error: `contact.k_n` is missing: stiffness k_n [Pa]\ncompaction: {pressure: 1 kPa}\n                "
+     "             ^"},
+    {NO_DISKS, 0, NULL,
+     "a.yaml:3:22: error: `disks` has 0 items, allowed is 1 to 1000\ncontact: {k_n: 1 MPa}\n                     ^"},
+    {NO_DISKS "disks: {radius: 1}\n", 0, NULL,
+     "a.yaml:4:8: error: `disks` must be a list, one `- key: value` for each\ndisks: {radius: 1}\n       ^"},
+    {NO_DISKS "disks: [3]\n", 0, NULL,
+     "a.yaml:4:9: error: `disks.0` must be a mapping of keys and values\ndisks: [3]\n        ^"},
+    {NO_DISKS "disks:\n  - radius: 1\n    x: 0\n", 0, NULL,
+     "a.yaml:5:5: error: `disks.0.y` is missing: centre at the start [m]\n  - radius: 1\n    ^"},
+    {NO_DISKS "disks: []\n", 0, NULL,
+     "a.yaml:4:8: error: `disks` has 0 items, allowed is 1 to 1000\ndisks: []\n       ^"},
+    {GOOD_BODIES "walls: [{nx: 0, ny: 0}]\n", 0, NULL,
+     "a.yaml:5:9: error: the normal (nx, ny) of `walls.0` is zero\nwalls: [{nx: 0, ny: 0}]\n        ^"},
+    {GOOD, 0, "shear.inertial_numbr=1e-4",
+     "--set:1:7: error: unknown key `shear.inertial_numbr` (did you mean `inertial_number`?); allowed here: "
+     "lateral_pressure, inertial_number, strain_end, walls\nshear.inertial_numbr=1e-4\n      ^"},
+    {GOOD, 0, "shear.inertial_number=1 mm",
+     "--set:1:23: error: wrong dimension: this is in m (`inertial_number` is a number)\nshear.inertial_number=1 mm\n   "
+     "                   ^"},
+    {GOOD, 0, "shear.inertial_number",
+     "--set:1:1: error: no `=`; write key=value, as in step.safety=0.2\nshear.inertial_number\n^"},
+    {GOOD, 0, "=3", "--set:1:1: error: no key before `=`\n=3\n^"},
+    {GOOD, 0, "shear..x=3",
+     "--set:1:7: error: no key here; write key=value, as in step.safety=0.2\nshear..x=3\n      ^"},
+    {GOOD, 0, "shear x=3", "--set:1:7: error: expected `.` or `=` here\nshear x=3\n      ^"},
+    {GOOD, 0, "seed.x=3",
+     "--set:1:1: error: `seed` must be a single value: start of the random numbers: same seed, same "
+     "sample\nseed.x=3\n^"},
+    {GOOD_BODIES, 0, "disks.1.x=3",
+     "--set:1:7: error: `1` is not the number of an item; there are 1, counted from 0\ndisks.1.x=3\n      ^"},
+    {GOOD, 0, "contact=3", "--set:1:9: error: `contact` must be a mapping of keys and values\ncontact=3\n        ^"},
+    {GOOD, 0, "shear.strain_end=\0110.1",
+     "--set:1:18: error: tabs are not allowed; use spaces\nshear.strain_end= 0.1\n                 ^"},
+};
+
+static void messages(void **state) {
+    (void)state;
+    int failed = 0;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const bad_case *row = &rows[i];
+        tr_scene scene;
+        tr_status st = {0};
+        bool ok = tr_scene_read(&scene, "a.yaml", row->text, row->size ? row->size : strlen(row->text), &row->set,
+                                row->set ? 1 : 0, &fake_catalog, &st);
+        if (ok) fail_msg("accepted: %s", row->text);
+        assert_int_equal(st.code, TR_BAD_CASE);
+        if (strcmp(st.text, row->message) == 0) continue;
+        print_message("case %zu says:\n%s\nexpected:\n%s\n\n", i, st.text, row->message);
+        failed++;
+    }
+    assert_int_equal(failed, 0);
+}
+
+/* Size and depth, each just inside and just outside; and that depth is noticed at once, not after a megabyte of
+ * brackets. */
+static void limits(void **state) {
+    (void)state;
+    enum { MEGABYTE = 1 << 20 };
+    static char text[MEGABYTE + 2];
+    tr_scene scene;
+    tr_status st;
+    memset(text, '[', MEGABYTE);
+    assert_false(fake_read(&scene, text, NULL, 0, &st));
+    assert_non_null(strstr(st.text, "a.yaml:1:17: error: nested deeper than 16 levels\n[[[["));
+    text[16] = '\0';
+    assert_false(fake_read(&scene, text, NULL, 0, &st));
+    assert_non_null(strstr(st.text, "not valid YAML"));
+    memset(text, '#', sizeof text - 1);
+    memcpy(text, GOOD, strlen(GOOD));
+    text[MEGABYTE] = '\0';
+    assert_true(fake_read(&scene, text, NULL, 0, &st));
+    tr_scene_free(&scene);
+    text[MEGABYTE] = '#';
+    assert_false(fake_read(&scene, text, NULL, 0, &st));
+    assert_non_null(
+        strstr(st.text, "a.yaml:1:1: error: the text is longer than 1 MB; a case is a few kB\nkind: biaxial\n^"));
+}
+
+/* A name of a file may be anything too, and a caret in a long line of wide characters still fits. */
+static void long_lines(void **state) {
+    (void)state;
+    char text[3000] = "kind: ", name[3000];
+    tr_scene scene;
+    tr_status st = {0};
+    for (int i = 0; i < 500; i++) strcat(text, "\xf0\x9f\x98\x80");
+    strcat(text, "\t");
+    memset(name, 'n', sizeof name);
+    name[1] = '\n';
+    name[sizeof name - 1] = '\0';
+    assert_false(tr_scene_read(&scene, name, text, strlen(text), NULL, 0, &fake_catalog, &st));
+    assert_memory_equal(st.text, "n?n", 3);
+    assert_non_null(strstr(st.text, "n:1:507: error: tabs are not allowed; use spaces\n"));
+    char caret[128];
+    snprintf(caret, sizeof caret, "\n%*s^", 70, ""); /* the line is shown from 70 characters before the column */
+    assert_string_equal(strrchr(st.text, '\n'), caret);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(messages), cmocka_unit_test(limits),
+                                       cmocka_unit_test(long_lines)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
