@@ -77,7 +77,7 @@ int tr_cli_bench(int argc, char **argv) {
     argv[0] = "trundle bench";
     argp_parse(&argp, argc, argv, 0, NULL, &a);
     tr_status st = {0};
-    tr_bench_report whole, without;
+    tr_bench_report whole = {0}, without = {0};
     if (!measure(&a, &whole, &st)) return tr_cli_fail(&st);
     print_table("as given", &whole);
     a.set[a.n_set++] = "contact.rolling=none";

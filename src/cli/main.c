@@ -3,8 +3,10 @@
 #include "cli/cli.h"
 
 #include "base/version.h"
+#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 static const struct command {
     const char *name, *doc;
@@ -27,7 +29,15 @@ static int usage(FILE *to, int code) {
     return code;
 }
 
-int main(int argc, char **argv) {
+/* A standard stream that the caller closed must not become the number of a file of results. */
+static void open_standard_streams(void) {
+    int fd;
+    do fd = open("/dev/null", O_RDWR);
+    while (fd >= 0 && fd <= STDERR_FILENO);
+    if (fd >= 0) close(fd);
+}
+
+static int run(int argc, char **argv) {
     const char *word = argc > 1 ? argv[1] : "";
     if (!strcmp(word, "--help") || !strcmp(word, "-h") || !strcmp(word, "help")) return usage(stdout, TR_OK);
     if (!strcmp(word, "--version")) return printf("trundle %s\n", TR_VERSION), TR_OK;
@@ -35,4 +45,12 @@ int main(int argc, char **argv) {
         if (!strcmp(word, commands[k].name)) return commands[k].run(argc - 1, argv + 1);
     if (*word) fprintf(stderr, "error: no command \"%s\"\n\n", word);
     return usage(stderr, TR_BAD_CASE);
+}
+
+int main(int argc, char **argv) {
+    open_standard_streams();
+    int code = run(argc, argv);
+    if (!fflush(stdout) && !ferror(stdout)) return code;
+    perror("error: cannot write to standard output");
+    return code ? code : TR_FILE;
 }

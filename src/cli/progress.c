@@ -43,18 +43,23 @@ void tr_progress_show(void *context, const char *stage, double fraction) {
     if (now - p->drawn < 0.1) return;
     p->drawn = now;
     fraction = fmin(fmax(fraction, 0), 1);
-    char tail[40];
+    char tail[40], line[128];
     double eta = fraction > 0.02 ? (now - p->started) * (1 - fraction) / fraction : NAN;
     if (isnan(eta))
         snprintf(tail, sizeof tail, "%3.0f %%", 100 * fraction);
     else
         snprintf(tail, sizeof tail, "%3.0f %%  %.0f s left", 100 * fraction, ceil(eta));
-    int bar = terminal_width() - 1 - (int)strlen(p->stage) - 2 - (int)strlen(tail) - 2;
-    bar = bar > 40 ? 40 : bar < 0 ? 0 : bar;
-    int full = (int)lround(bar * fraction);
-    fprintf(stderr, "\r\033[K%s  %s", p->stage, p->color ? "\033[34m" : "");
-    for (int k = 0; k < bar; k++) fputs(k < full ? "#" : ".", stderr);
-    fprintf(stderr, "%s  %s", p->color ? "\033[0m" : "", tail);
+    int width = terminal_width() - 1, bar = width - (int)strlen(p->stage) - 2 - (int)strlen(tail) - 2;
+    if (bar < 4) { /* no room for it; a line that wraps could not be wiped */
+        snprintf(line, sizeof line, "%s  %s", p->stage, tail);
+        fprintf(stderr, "\r\033[K%.*s", width, line);
+    } else {
+        bar = bar > 40 ? 40 : bar;
+        int full = (int)lround(bar * fraction);
+        fprintf(stderr, "\r\033[K%s  %s", p->stage, p->color ? "\033[34m" : "");
+        for (int k = 0; k < bar; k++) fputs(k < full ? "#" : ".", stderr);
+        fprintf(stderr, "%s  %s", p->color ? "\033[0m" : "", tail);
+    }
     fflush(stderr);
 }
 

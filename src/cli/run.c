@@ -117,12 +117,18 @@ static int run(const arguments *a) {
     if (!a->check) {
         tr_run_report report;
         tr_progress progress = tr_progress_begin();
-        tr_run_options options = {a->dir ? a->dir : dir, name, a->force, &stop, tr_progress_show, &progress};
+        tr_run_options options = {.dir = a->dir ? a->dir : dir,
+                                  .case_file = a->file,
+                                  .title = name,
+                                  .force = a->force,
+                                  .stop = &stop,
+                                  .progress = tr_progress_show,
+                                  .context = &progress};
         catch_signals();
         bool ok = tr_run(&scene, &options, &report, &st);
         tr_progress_end(&progress);
         if (ok) print_report(&report, options.dir);
-    } else {
+    } else if (tr_run_check(&scene, &st)) {
         printf("%s: ok\n", a->file);
     }
     tr_scene_free(&scene);

@@ -5,8 +5,8 @@ static void step(tr_tile *tile, const tr_law_data *data) {
     const tr_sink *sink = data->par;
     double *da = sink->group->hist[sink->hist] + tile->first, *db = sink->group->hist[sink->hist + 1] + tile->first;
     for (int i = 0; i < tile->n; i++) {
-        da[i] = tile->delta[i] > 0 ? da[i] + tile->s1[i] * data->dt : 0;
-        db[i] = tile->delta[i] > 0 ? db[i] - tile->s2[i] * data->dt : 0;
+        da[i] = tile->delta[i] > 0 ? da[i] + tile->s1[i] * tile->dt : 0;
+        db[i] = tile->delta[i] > 0 ? db[i] - tile->s2[i] * tile->dt : 0;
     }
 }
 

@@ -8,6 +8,8 @@
  * velocity-proportional servo at I = 1e-3 would be off by tenths), and its work is exact in the energy ledger. The
  * dashpots of the contacts damp it.
  *
+ * Compaction has a weak drag against the frame besides the dashpots, so that it comes to rest; the shear has none.
+ *
  * The shear starts from the velocities that compaction leaves and with all contact histories zero.
  */
 #ifndef TR_BIAXIAL_H
@@ -23,6 +25,7 @@ typedef struct tr_biaxial {
     double mean_mass;                 /* [kg/m] the m of the inertial number */
     double disk_area;                 /* [m^2] */
     double dt_bound;                  /* [s] what dt is a share of */
+    double drag;             /* of the compaction: force = -drag * mass * velocity [1/s] */
     double rate;                      /* axial strain rate of the shear [1/s] */
     double height0;                   /* [m] at the start of the shear */
     int64_t shear_start, shear_steps; /* steps before the shear, and in it */
@@ -35,7 +38,7 @@ typedef struct tr_biaxial_state {
     double time;               /* since the start of the shear [s] */
     double stress_1, stress_2; /* mean over the steps since the last read: horizontal walls, lateral walls [Pa],
                                   compression positive */
-    double sin_phi;            /* (s1 - s2)/(s1 + s2) */
+    double sin_phi;            /* (s1 - s2)/(s1 + s2); 0 without stress */
     double void_ratio;         /* (box area - disk area)/disk area */
     double height, width;      /* [m] */
 } tr_biaxial_state;

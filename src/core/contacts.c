@@ -11,39 +11,40 @@
 #include <stdio.h>
 #include <string.h>
 
-double tr_contacts_wall_distance(const tr_wall *wall, const double *pos) {
-    return (pos[0] - wall->x) * wall->nx + (pos[1] - wall->y) * wall->ny;
-}
-
+/* Room for n contacts in the list and in the old one; what they hold is kept. */
 static bool group_reserve(tr_group *g, int n, tr_status *st) {
     if (n <= g->capacity) return true;
-    size_t old_n = (size_t)g->n, grown = (size_t)n + (size_t)n / 4 + TR_TILE;
-    bool ok =
-        tr_alloc_grow(&g->a, old_n, grown, sizeof(int), st) && tr_alloc_grow(&g->b, old_n, grown, sizeof(int), st) &&
-        tr_alloc_grow(&g->old_a, 0, grown, sizeof(int), st) && tr_alloc_grow(&g->old_b, 0, grown, sizeof(int), st);
+    size_t now = (size_t)g->n, old = (size_t)g->old_n, grown = (size_t)n + (size_t)n / 4 + TR_TILE;
+    bool ok = tr_alloc_grow(&g->a, now, grown, sizeof(int), st) && tr_alloc_grow(&g->b, now, grown, sizeof(int), st) &&
+              tr_alloc_grow(&g->old_a, old, grown, sizeof(int), st) &&
+              tr_alloc_grow(&g->old_b, old, grown, sizeof(int), st);
     for (int k = 0; ok && k < g->n_hist; k++)
-        ok = tr_alloc_grow(&g->hist[k], old_n, grown, sizeof(double), st) &&
-             tr_alloc_grow(&g->old_hist[k], 0, grown, sizeof(double), st);
-    for (int k = 0; ok && k < g->n_pair; k++) ok = tr_alloc_grow(&g->pair[k], 0, grown, sizeof(double), st);
+        ok = tr_alloc_grow(&g->hist[k], now, grown, sizeof(double), st) &&
+             tr_alloc_grow(&g->old_hist[k], old, grown, sizeof(double), st);
+    for (int k = 0; ok && k < g->n_pair; k++) ok = tr_alloc_grow(&g->pair[k], now, grown, sizeof(double), st);
     if (ok) g->capacity = (int)grown;
     return ok;
 }
 
+static void swap_ints(int **a, int **b) {
+    int *t = *a;
+    *a = *b, *b = t;
+}
+
 /* Keeps the present list as the old one and starts an empty new one. */
-static int group_begin(tr_group *g) {
-    int old_n = g->n;
-    int *a = g->old_a, *b = g->old_b;
-    g->old_a = g->a, g->old_b = g->b, g->a = a, g->b = b;
+static void group_begin(tr_group *g) {
+    swap_ints(&g->a, &g->old_a);
+    swap_ints(&g->b, &g->old_b);
     for (int k = 0; k < g->n_hist; k++) {
         double *h = g->old_hist[k];
         g->old_hist[k] = g->hist[k], g->hist[k] = h;
     }
+    g->old_n = g->n;
     g->n = 0;
-    return old_n;
 }
 
 /* Appends contact (a, b); *old walks the old list, which is sorted like the new one. */
-static void group_append(tr_world *world, tr_group *g, int a, int b, int *old, int old_n) {
+static void group_append(tr_world *world, tr_group *g, int a, int b, int *old) {
     const tr_disks *d = &world->disks;
     int i = g->n++;
     g->a[i] = a, g->b[i] = b;
@@ -57,8 +58,8 @@ static void group_append(tr_world *world, tr_group *g, int a, int b, int *old, i
         slot->law->pair(slot->par, &bodies, constants);
         for (int k = 0; k < slot->law->n_pair; k++) g->pair[slot->pair + k][i] = constants[k];
     }
-    while (*old < old_n && (g->old_a[*old] < a || (g->old_a[*old] == a && g->old_b[*old] < b))) ++*old;
-    bool known = *old < old_n && g->old_a[*old] == a && g->old_b[*old] == b;
+    while (*old < g->old_n && (g->old_a[*old] < a || (g->old_a[*old] == a && g->old_b[*old] < b))) ++*old;
+    bool known = *old < g->old_n && g->old_a[*old] == a && g->old_b[*old] == b;
     for (int k = 0; k < g->n_hist; k++) g->hist[k][i] = known ? g->old_hist[k][*old] : 0;
 }
 
@@ -85,16 +86,14 @@ static bool search(tr_world *world, tr_status *st) {
 /* Every disk and wall is looked at: n_walls n, at refreshes only. */
 static bool refresh_walls(tr_world *world, tr_status *st) {
     tr_group *g = &world->group[1];
-    if (!group_reserve(g, world->n_walls * world->disks.n < 4 * TR_TILE ? world->n_walls * world->disks.n : 4 * TR_TILE,
-                       st))
-        return false;
-    int old = 0, old_n = group_begin(g);
+    int old = 0;
+    group_begin(g);
     for (int w = 0; w < world->n_walls; w++)
         for (int i = 0; i < world->disks.n; i++) {
             const double *pos = world->disks.pos + 4 * (size_t)i;
             if (tr_contacts_wall_distance(&world->wall[w], pos) - pos[3] >= world->thin_skin) continue;
             if (g->n == g->capacity && !group_reserve(g, g->n + 1, st)) return false;
-            group_append(world, g, w, i, &old, old_n);
+            group_append(world, g, w, i, &old);
         }
     return true;
 }
@@ -102,27 +101,15 @@ static bool refresh_walls(tr_world *world, tr_status *st) {
 static bool refresh_disks(tr_world *world, tr_status *st) {
     tr_group *g = &world->group[0];
     if (!group_reserve(g, world->near.n, st)) return false;
-    int old = 0, old_n = group_begin(g);
+    int old = 0;
+    group_begin(g);
     for (int i = 0; i < world->near.n; i++) {
         int a = world->near.a[i], b = world->near.b[i];
         const double *p = world->disks.pos + 4 * (size_t)a, *q = world->disks.pos + 4 * (size_t)b;
         double dx = q[0] - p[0], dy = q[1] - p[1], reach = p[3] + q[3] + world->thin_skin;
-        if (dx * dx + dy * dy < reach * reach) group_append(world, g, a, b, &old, old_n);
+        if (dx * dx + dy * dy < reach * reach) group_append(world, g, a, b, &old);
     }
     return true;
-}
-
-bool tr_contacts_refresh(tr_world *world, tr_status *st) {
-    double moved = largest_move(&world->disks, world->wide_ref);
-    bool searched = world->searches > 0;
-    if (!searched || !(2 * moved + world->thin_skin <= world->wide_skin) || !world->near.n)
-        if (!search(world, st)) return false;
-    if (!refresh_disks(world, st) || !refresh_walls(world, st)) return false;
-    copy_centres(&world->disks, world->thin_ref);
-    world->wall_moved = 0;
-    world->stale = false;
-    world->refreshes++;
-    return tr_contacts_check(world, st);
 }
 
 static bool fail_at(const tr_world *world, tr_status *st, const char *what, const char *which) {
@@ -130,19 +117,24 @@ static bool fail_at(const tr_world *world, tr_status *st, const char *what, cons
                           (long long)world->steps, (double)world->steps * world->dt);
 }
 
+static bool check_finite(const tr_world *world, tr_status *st) {
+    for (int i = 0; i < world->disks.n; i++)
+        for (int k = 4 * i; k < 4 * i + 3; k++)
+            if (!isfinite(world->disks.pos[k]) || !isfinite(world->disks.vel[k])) {
+                char which[32];
+                snprintf(which, sizeof which, "disk %d", i);
+                return fail_at(world, st, "its position or velocity is not finite", which);
+            }
+    return true;
+}
+
 static void name_contact(const tr_group *g, int i, char *text, size_t size) {
     snprintf(text, size, g->walls ? "contact of wall %d with disk %d" : "contact of disks %d and %d", g->a[i], g->b[i]);
 }
 
-bool tr_contacts_check(const tr_world *world, tr_status *st) {
+static bool check_contacts(const tr_world *world, tr_status *st) {
     const double largest_overlap = 0.3; /* of the smaller radius: beyond it no contact law means anything */
     char which[96], what[160];
-    for (int i = 0; i < world->disks.n; i++)
-        for (int k = 0; k < 3; k++)
-            if (!isfinite(world->disks.pos[4 * i + k]) || !isfinite(world->disks.vel[4 * i + k])) {
-                snprintf(which, sizeof which, "disk %d", i);
-                return fail_at(world, st, "its position or velocity is not finite", which);
-            }
     for (int k = 0; k < 2; k++) {
         const tr_group *g = &world->group[k];
         for (int i = 0; i < g->n; i++) {
@@ -152,7 +144,7 @@ bool tr_contacts_check(const tr_world *world, tr_status *st) {
                 delta = R - tr_contacts_wall_distance(&world->wall[g->a[i]], q);
             } else {
                 const double *p = world->disks.pos + 4 * (size_t)g->a[i];
-                delta = p[3] + q[3] - hypot(q[0] - p[0], q[1] - p[1]);
+                delta = p[3] + q[3] - sqrt((q[0] - p[0]) * (q[0] - p[0]) + (q[1] - p[1]) * (q[1] - p[1]));
                 R = fmin(R, p[3]);
             }
             if (delta > largest_overlap * R) {
@@ -169,4 +161,19 @@ bool tr_contacts_check(const tr_world *world, tr_status *st) {
         return fail_at(world, st, what, which);
     }
     return true;
+}
+
+bool tr_contacts_refresh(tr_world *world, tr_status *st) {
+    if (!check_finite(world, st)) return false;
+    double moved = largest_move(&world->disks, world->wide_ref);
+    bool searched = world->searches > 0;
+    if (!searched || !(2 * moved + world->thin_skin <= world->wide_skin) || !world->near.n)
+        if (!search(world, st)) return false;
+    if (!refresh_disks(world, st) || !refresh_walls(world, st)) return false;
+    tr_group_bind(&world->group[0]), tr_group_bind(&world->group[1]);
+    copy_centres(&world->disks, world->thin_ref);
+    world->wall_moved = 0;
+    world->stale = false;
+    world->refreshes++;
+    return check_contacts(world, st);
 }

@@ -11,10 +11,9 @@
  * naming disk, contact, step and time. */
 bool tr_contacts_refresh(tr_world *world, tr_status *st);
 
-/* The checks alone. */
-bool tr_contacts_check(const tr_world *world, tr_status *st);
-
 /* Distance of a disk's centre from a wall [m]. */
-double tr_contacts_wall_distance(const tr_wall *wall, const double *pos);
+static inline double tr_contacts_wall_distance(const tr_wall *wall, const double *pos) {
+    return (pos[0] - wall->x) * wall->nx + (pos[1] - wall->y) * wall->ny;
+}
 
 #endif

@@ -13,18 +13,16 @@ typedef struct collector {
     tr_status *st;
 } collector;
 
+/* bound: as it was where there is no law. */
 static void bounds(const tr_group *g, const tr_slot *slot, const tr_tile *tile, tr_lane bound) {
     tr_lane energy;
-    tr_law_data data = tr_group_data(g, slot, tile->first, 0);
-    if (slot->law->step)
-        slot->law->state(tile, &data, energy, bound);
-    else
-        for (int i = 0; i < tile->n; i++) bound[i] = 0;
+    tr_law_data data = tr_group_data(g, slot);
+    if (slot->law->step) slot->law->state(tile, &data, energy, bound);
 }
 
 static void collect(void *context, tr_group *g, tr_tile *tile) {
     collector *c = context;
-    tr_lane friction_bound, rolling_bound;
+    tr_lane friction_bound = {0}, rolling_bound = {0};
     if (c->st->code) return;
     int need = c->n + tile->n;
     if (need > *c->capacity) {
@@ -67,6 +65,10 @@ static void collect(void *context, tr_group *g, tr_tile *tile) {
     for (int v = 0; v < tr_n_rolling_velocities; v++) {
         tr_rolling_velocities[v].step(tile, NULL);
         for (int j = 0; j < n; j++) out[j].v_r_by[v] = tile->v_r[kept[j]];
+    }
+    for (int v = 0; v < tr_n_sliding_velocities; v++) {
+        tr_sliding_velocities[v].step(tile, NULL);
+        for (int j = 0; j < n; j++) out[j].v_s_by[v] = tile->v_s[kept[j]];
     }
     for (int j = 0; j < n; j++) out[j].v_r = out[j].v_r_by[c->world->rolling_velocity];
     c->n += n;

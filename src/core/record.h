@@ -18,7 +18,8 @@ typedef struct tr_record {
     double mobilisation;         /* |f_t| / its bound mu f_n, 0..1; 0 without friction */
     double rolling_mobilisation; /* |m1| (|m2| at a wall) / its bound; 0 without rolling resistance */
     double da, db; /* arcs rolled over rims a and b since the contact formed [m]; 0 unless the world tracks arcs */
-    double v_r_by[TR_MAX_ROLLING_VELOCITIES]; /* rolling velocity by every definition, in the order of the registry */
+    double v_r_by[TR_MAX_VELOCITY_MEASURES]; /* rolling velocity by every definition, in the order of the registry */
+    double v_s_by[TR_MAX_VELOCITY_MEASURES]; /* sliding velocity by every definition; v_s is Wang's */
 } tr_record;
 
 /* Contacts with overlap > 0 as of the last tr_world_forces, disk-disk first, then wall-disk, each sorted by (a, b).

@@ -57,6 +57,7 @@ static void scatter_walls(const tr_tile *tile, const tr_group *g, const tr_disks
 
 static void run_passes(tr_world *world, tr_group *g, int first, double dt) {
     tr_tile *tile = world->tile;
+    tile->dt = dt;
     tile->first = first;
     tile->n = g->n - first < TR_TILE ? g->n - first : TR_TILE;
     tile->R1 = g->pair[0] + first, tile->R2 = g->pair[1] + first, tile->g1 = g->pair[2] + first;
@@ -64,12 +65,7 @@ static void run_passes(tr_world *world, tr_group *g, int first, double dt) {
         gather_walls(tile, g, &world->disks, world->wall);
     else
         gather_disks(tile, g, &world->disks);
-    for (int k = 0; k < g->n_pass; k++) {
-        const tr_pass *pass = &g->pass[k];
-        tr_law_data data =
-            pass->slot ? tr_group_data(g, pass->slot, first, dt) : (tr_law_data){.par = pass->sink, .dt = dt};
-        pass->run(tile, &data);
-    }
+    for (int k = 0; k < g->n_pass; k++) g->pass[k].run(tile, &g->pass[k].data);
 }
 
 void tr_step_walk(tr_world *world, tr_group *g, double dt, void (*done)(void *, tr_group *, tr_tile *), void *context) {
@@ -120,12 +116,12 @@ TR_VECTOR static void kick_and_drift(int lanes, double dt, double *restrict pos,
     }
 }
 
-/* How many centres have left a square of half-width `reach` about where they were; NaN counts as gone. */
+/* How many centres are further than `reach` from where they were; NaN counts as gone. */
 TR_VECTOR static int count_moved(int n, double reach, const double *restrict pos, const double *restrict ref) {
     int moved = 0;
     for (int i = 0; i < n; i++) {
-        double dx = fabs(pos[4 * i] - ref[2 * i]), dy = fabs(pos[4 * i + 1] - ref[2 * i + 1]);
-        moved += !(dx <= reach) | !(dy <= reach);
+        double dx = pos[4 * i] - ref[2 * i], dy = pos[4 * i + 1] - ref[2 * i + 1];
+        moved += !(dx * dx + dy * dy <= reach * reach);
     }
     return moved;
 }
@@ -153,6 +149,5 @@ void tr_step_advance(tr_world *world) {
     move_walls(world);
     world->steps++;
     double reach = world->thin_skin / 2; /* two bodies that approach each other move half the skin each */
-    if (count_moved(d->n, reach * M_SQRT1_2, d->pos, world->thin_ref) || !(world->wall_moved <= reach))
-        world->stale = true;
+    if (count_moved(d->n, reach, d->pos, world->thin_ref) || !(world->wall_moved <= reach)) world->stale = true;
 }

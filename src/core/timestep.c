@@ -70,18 +70,42 @@ tr_timestep_limit tr_timestep_contacts(const tr_world *world) {
     return limit;
 }
 
-double tr_timestep_worst(const tr_world *world) {
+/* As many contacts as fit around disk i: the smallest disks side by side, and no more bodies than there are. */
+static double most_contacts(const tr_world *world, int i, double r_min) {
+    double R = world->disks.pos[4 * (size_t)i + 3], kissing = floor(M_PI / asin(r_min / (R + r_min)) + 1e-9);
+    return fmin(kissing, world->disks.n - 1 + world->n_walls);
+}
+
+static double pair_limit(const tr_world *world, int i, int j, double r_min) {
     const tr_disks *d = &world->disks;
-    double bound = INFINITY, r_min = INFINITY;
-    for (int i = 0; i < d->n; i++) r_min = fmin(r_min, d->pos[4 * (size_t)i + 3]);
+    size_t a = 4 * (size_t)i, b = 4 * (size_t)j;
+    double za = most_contacts(world, i, r_min), zb = most_contacts(world, j, r_min);
+    tr_pair_bodies bodies = {d->pos[a + 3], d->pos[b + 3], d->mass[i], d->mass[j]};
+    return contact_limit(&world->group[0], &bodies, bodies.R1, bodies.R2, (share){za * d->inv[a], za * d->inv[a + 2]},
+                         (share){zb * d->inv[b], zb * d->inv[b + 2]});
+}
+
+double tr_timestep_worst(const tr_world *world) {
+    const int few = 1000; /* so many disks are paired with each other; more, only with the smallest and the largest */
+    const tr_disks *d = &world->disks;
+    double bound = INFINITY;
+    int smallest = 0, largest = 0;
     for (int i = 0; i < d->n; i++) {
-        double R = d->pos[4 * (size_t)i + 3], m = d->mass[i];
-        double kissing = floor(M_PI / asin(r_min / (R + r_min)) + 1e-9), others = d->n - 1 + world->n_walls;
-        double z = fmin(kissing, others);
-        share own = {z * d->inv[4 * (size_t)i], z * d->inv[4 * (size_t)i + 2]}, fixed = {0, 0};
-        tr_pair_bodies twins = {R, R, m, m}, wall = {0, R, INFINITY, m};
-        if (d->n > 1) bound = fmin(bound, contact_limit(&world->group[0], &twins, R, R, own, own));
-        if (world->n_walls) bound = fmin(bound, contact_limit(&world->group[1], &wall, 0, R, fixed, own));
+        if (d->pos[4 * (size_t)i + 3] < d->pos[4 * (size_t)smallest + 3]) smallest = i;
+        if (d->pos[4 * (size_t)i + 3] > d->pos[4 * (size_t)largest + 3]) largest = i;
+    }
+    double r_min = d->pos[4 * (size_t)smallest + 3];
+    for (int i = 0; i < d->n; i++) {
+        if (d->n > 1) {
+            bound = fmin(bound, pair_limit(world, i, smallest, r_min));
+            bound = fmin(bound, pair_limit(world, i, largest, r_min));
+        }
+        for (int j = i + 1; j < d->n && d->n <= few; j++) bound = fmin(bound, pair_limit(world, i, j, r_min));
+        if (!world->n_walls) continue;
+        double z = most_contacts(world, i, r_min), R = d->pos[4 * (size_t)i + 3];
+        tr_pair_bodies wall = {0, R, INFINITY, d->mass[i]};
+        share own = {z * d->inv[4 * (size_t)i], z * d->inv[4 * (size_t)i + 2]};
+        bound = fmin(bound, contact_limit(&world->group[1], &wall, 0, R, (share){0, 0}, own));
     }
     return bound;
 }

@@ -63,13 +63,13 @@ static void group_take(tr_group *g, int which, const tr_law *law, const tr_scene
 }
 
 static void group_add_pass(tr_group *g, const char *name, tr_pass_run *run, const tr_slot *slot) {
-    g->pass[g->n_pass++] = (tr_pass){name, run, slot, NULL};
+    g->pass[g->n_pass++] = (tr_pass){.name = name, .run = run, .slot = slot};
 }
 
 void tr_group_attach(tr_group *group, tr_sink *sink, const char *name, tr_pass_run *run, int n_hist) {
     sink->group = group;
     sink->hist = group->n_hist, group->n_hist += n_hist;
-    group->pass[group->n_pass++] = (tr_pass){name, run, NULL, sink};
+    group->pass[group->n_pass++] = (tr_pass){.name = name, .run = run, .sink = true, .data.par = sink};
 }
 
 /* The list of passes a scene asked for: what it leaves out is not there. */
@@ -118,11 +118,16 @@ bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool sm
     return world->finder != NULL;
 }
 
-tr_law_data tr_group_data(const tr_group *group, const tr_slot *slot, int first, double dt) {
-    tr_law_data data = {.par = slot->par, .dt = dt};
-    for (int k = 0; k < slot->law->n_hist; k++) data.hist[k] = group->hist[slot->hist + k] + first;
-    for (int k = 0; k < slot->law->n_pair; k++) data.pair[k] = group->pair[slot->pair + k] + first;
+tr_law_data tr_group_data(const tr_group *group, const tr_slot *slot) {
+    tr_law_data data = {.par = slot->par};
+    for (int k = 0; k < slot->law->n_hist; k++) data.hist[k] = group->hist[slot->hist + k];
+    for (int k = 0; k < slot->law->n_pair; k++) data.pair[k] = group->pair[slot->pair + k];
     return data;
+}
+
+void tr_group_bind(tr_group *group) {
+    for (int k = 0; k < group->n_pass; k++)
+        if (group->pass[k].slot) group->pass[k].data = tr_group_data(group, group->pass[k].slot);
 }
 
 size_t tr_world_bytes(const tr_world *world) {

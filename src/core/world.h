@@ -30,7 +30,7 @@
 enum {
     TR_MAX_PASSES = 8,
     TR_MAX_WALLS = 128,
-    TR_MAX_ROLLING_VELOCITIES = 8,
+    TR_MAX_VELOCITY_MEASURES = 8,
     TR_GROUP_HIST = 3 * TR_MAX_HIST + 8, /* laws of three slots, and the sinks */
     TR_GROUP_PAIR = 3 + 3 * TR_MAX_PAIR  /* R1, R2, g1, and the laws of three slots */
 };
@@ -71,13 +71,13 @@ typedef struct tr_sink {
     int hist;          /* the first of its arrays in group->hist */
 } tr_sink;
 
-/* A pass belongs to a law (slot), to a sink, or to neither (kinematics). A sink's pass gets the tr_sink as data->par.
- */
+/* One loop over a tile, and what it sees: arrays of its law, or the tr_sink as data.par. */
 typedef struct tr_pass {
     const char *name;
     tr_pass_run *run;
-    const tr_slot *slot;
-    const tr_sink *sink;
+    const tr_slot *slot; /* NULL: not a law's */
+    bool sink;
+    tr_law_data data;    /* set by tr_group_bind */
 } tr_pass;
 
 enum { TR_NORMAL, TR_FRICTION, TR_ROLLING, TR_N_SLOTS };
@@ -95,7 +95,7 @@ struct tr_group {
     tr_sink ledger_sink, arcs_sink; /* group == NULL: not attached */
     tr_pass pass[TR_MAX_PASSES];
     int n_pass;
-    int *old_a, *old_b; /* the list before a refresh, while histories are carried over */
+    int old_n, *old_a, *old_b; /* the list before a refresh, while histories are carried over */
     double *old_hist[TR_GROUP_HIST];
 };
 
@@ -156,8 +156,11 @@ bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool sm
 /* Adds a sink at the end of a pipeline, with n_hist arrays of its own. */
 void tr_group_attach(tr_group *group, tr_sink *sink, const char *name, tr_pass_run *run, int n_hist);
 
-/* What the law of a slot sees of the contacts from `first` on. */
-tr_law_data tr_group_data(const tr_group *group, const tr_slot *slot, int first, double dt);
+/* What the law of a slot sees. */
+tr_law_data tr_group_data(const tr_group *group, const tr_slot *slot);
+
+/* Points the passes at the group's arrays; after every change of these. */
+void tr_group_bind(tr_group *group);
 
 /* Bytes that the world holds. */
 size_t tr_world_bytes(const tr_world *world);

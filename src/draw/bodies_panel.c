@@ -9,7 +9,7 @@ enum { LABEL_W = 176, VALUE_W = 84 };
 
 static const double bar_left = TR_PANEL_X + LABEL_W, bar_right = TR_PANEL_X + TR_PANEL_W - VALUE_W;
 
-/* Rows are equal lines of a table: 2 for a contact's heading, then its bars. */
+/* Rows are equal lines of a table. */
 typedef struct tr_rows {
     cairo_t *cr;
     double y, height, range;
@@ -43,26 +43,34 @@ static void draw_bar(tr_rows *rows, const char *label, double value, bool bold) 
     rows->y += rows->height;
 }
 
+/* Which bodies, and the arcs over their rims. */
 static void draw_heading(tr_rows *rows, const tr_record *r) {
-    char text[64], arc[2][64], number[32];
-    double size = fmin(0.85 * rows->height, 24), base = rows->y + 0.9 * rows->height;
+    char name[64], number[32], arc[80];
+    tr_text at = {
+        .x = TR_PANEL_X, .y = rows->y + 0.8 * rows->height, .size = fmin(0.85 * rows->height, 24), .bold = true};
     tr_unit unit = tr_frame_unit(fmax(fabs(r->da), fabs(r->db)), "m");
-    snprintf(text, sizeof text, r->a < 0 ? "wall %d – disk %d" : "disk %d – disk %d", r->a < 0 ? -1 - r->a : r->a,
+    snprintf(name, sizeof name, r->a < 0 ? "wall %d – disk %d" : "disk %d – disk %d", r->a < 0 ? -1 - r->a : r->a,
              r->b);
-    tr_pen_text(rows->cr, (tr_text){.x = TR_PANEL_X, .y = base, .size = size, .bold = true}, text);
+    tr_pen_text(rows->cr, at, name);
+    at.bold = false, at.align = TR_RIGHT;
     for (int i = 0; i < 2; i++) {
         tr_frame_number(number, sizeof number, i ? r->db : r->da, &unit, true);
-        snprintf(arc[i], sizeof arc[i], "Δ%c = %s %s", "ab"[i], number, unit.name);
-        tr_pen_text(rows->cr,
-                    (tr_text){.x = TR_PANEL_X + i * TR_PANEL_W,
-                              .y = base + rows->height,
-                              .size = size,
-                              .align = i ? TR_RIGHT : TR_LEFT,
-                              .room = TR_PANEL_W / 2.0 - 8,
-                              .hue = i ? TR_VERMILLION : TR_BLUE},
-                    arc[i]);
+        snprintf(arc, sizeof arc, "Δ%c %s%s%s", "ab"[i], number, i ? " " : "", i ? unit.name : "");
+        at.x = TR_PANEL_X + (i ? 1.0 : 0.65) * TR_PANEL_W;
+        at.size = fmin(0.78 * rows->height, 22);
+        at.hue = i ? TR_VERMILLION : TR_BLUE;
+        tr_pen_text(rows->cr, at, arc);
     }
-    rows->y += 2.2 * rows->height;
+    rows->y += 1.1 * rows->height;
+}
+
+static void draw_bars(tr_rows *rows, const char *symbol, const tr_velocity_measure *measure, int n, const double *value,
+                      int used) {
+    for (int k = 0; k < n; k++) {
+        char label[64];
+        snprintf(label, sizeof label, "%s %s", symbol, measure[k].name);
+        draw_bar(rows, label, value[k], k == used);
+    }
 }
 
 static void draw_axis(const tr_rows *rows) {
@@ -88,20 +96,18 @@ void tr_bodies_panel(cairo_t *cr, const tr_view *view, double range, double y) {
         tr_pen_text(cr, (tr_text){.x = TR_PANEL_X, .y = y + 44, .size = 28, .hue = TR_FAINT}, "no contact");
         return;
     }
-    /* a group: heading 2.2, bars, gap 0.5; below all the axis and a note, 40 px */
-    double n_rows = shown * (2.2 + 1 + tr_n_rolling_velocities + 0.5);
+    /* a group: heading 1.1, bars, gap 0.4; below all the axis and a note, 40 px */
+    double n_rows = shown * (1.1 + tr_n_sliding_velocities + tr_n_rolling_velocities + 0.4);
     tr_rows rows = {.cr = cr, .y = y, .range = range, .height = fmin((bottom - 40 - y) / n_rows, 36)};
     rows.unit = tr_frame_unit(range, "m/s");
     for (int i = 0; i < shown; i++) {
         const tr_record *r = &view->record[i];
         draw_heading(&rows, r);
-        draw_bar(&rows, "sliding V_s", r->v_s, true);
-        for (int k = 0; k < tr_n_rolling_velocities; k++) {
-            char label[64];
-            snprintf(label, sizeof label, "V_r %s", tr_rolling_velocities[k].name);
-            draw_bar(&rows, label, r->v_r_by[k], k == view->world->rolling_velocity);
-        }
-        rows.y += 0.5 * rows.height;
+        draw_bars(&rows, "V_s", tr_sliding_velocities, tr_n_sliding_velocities, r->v_s_by,
+                  0); /* friction uses the first */
+        draw_bars(&rows, "V_r", tr_rolling_velocities, tr_n_rolling_velocities, r->v_r_by,
+                  view->world->rolling_velocity);
+        rows.y += 0.4 * rows.height;
     }
     draw_axis(&rows);
     if (view->n_records > shown) {

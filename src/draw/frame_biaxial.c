@@ -152,7 +152,7 @@ static void draw_width_key(cairo_t *cr, double mean, double width, double y) {
     tr_unit unit = tr_frame_unit(mean, "N/m");
     char number[32], label[64];
     tr_frame_number(number, sizeof number, mean, &unit, false);
-    snprintf(label, sizeof label, "mean force f_n = %s %s", number, unit.name);
+    snprintf(label, sizeof label, "force  f_n = %s %s", number, unit.name);
     tr_pen_hue(cr, TR_FAINT);
     tr_pen_line(cr, (tr_point){TR_PANEL_X, y - 8}, (tr_point){TR_PANEL_X + 48, y - 8}, width);
     tr_pen_text(cr, (tr_text){.x = TR_PANEL_X + 64, .y = y, .size = 22, .room = TR_PANEL_W - 64}, label);

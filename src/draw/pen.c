@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <stdio.h>
 #include <string.h>
 
 void tr_pen_rgb(cairo_t *cr, tr_rgb c) {
@@ -12,6 +13,27 @@ void tr_pen_rgb(cairo_t *cr, tr_rgb c) {
 
 void tr_pen_hue(cairo_t *cr, unsigned hue) {
     tr_pen_rgb(cr, tr_palette_hue(hue));
+}
+
+/* Bytes of the UTF-8 character at s; 0 if there is none. */
+static size_t utf8_bytes(const unsigned char *s) {
+    static const unsigned least[] = {0, 0, 0x80, 0x800, 0x10000};
+    size_t n = *s < 0x80 ? 1 : *s < 0xC0 ? 0 : *s < 0xE0 ? 2 : *s < 0xF0 ? 3 : *s < 0xF8 ? 4 : 0;
+    unsigned code = n > 1 ? *s & (0x7Fu >> n) : 0;
+    for (size_t k = 1; k < n; k++) {
+        if ((s[k] & 0xC0) != 0x80) return 0;
+        code = code << 6 | (s[k] & 0x3Fu);
+    }
+    bool valid = n < 2 || (code >= least[n] && code <= 0x10FFFF && (code < 0xD800 || code > 0xDFFF));
+    return valid ? n : 0;
+}
+
+/* A title may be a file name, which may be any bytes; Cairo draws nothing more after a string that is no UTF-8. */
+static void make_utf8(char *text) {
+    for (size_t n; *text; text += n) {
+        n = utf8_bytes((const unsigned char *)text);
+        if (!n) *text = '?', n = 1;
+    }
 }
 
 static size_t character_bytes(const char *s) {
@@ -47,7 +69,10 @@ static double set_text(cairo_t *cr, double x, double y, double size, const char 
     return x - start;
 }
 
-double tr_pen_text(cairo_t *cr, tr_text at, const char *text) {
+double tr_pen_text(cairo_t *cr, tr_text at, const char *given) {
+    char text[512];
+    snprintf(text, sizeof text, "%s", given);
+    make_utf8(text);
     cairo_select_font_face(cr, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
                            at.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
     tr_pen_hue(cr, at.hue ? at.hue : TR_INK);

@@ -31,7 +31,7 @@ void tr_pen_hue(cairo_t *cr, unsigned hue);
 void tr_pen_rgb(cairo_t *cr, tr_rgb color);
 
 /* Text in DejaVu Sans, UTF-8; `_` lowers the next character. Returns its width [px]. */
-double tr_pen_text(cairo_t *cr, tr_text at, const char *text);
+double tr_pen_text(cairo_t *cr, tr_text at, const char *given);
 
 void tr_pen_line(cairo_t *cr, tr_point from, tr_point to, double width);
 void tr_pen_dot(cairo_t *cr, tr_point at, double radius);

@@ -122,14 +122,15 @@ bool tr_video_close(tr_video *v, bool keep, tr_status *st) {
     int exit_status = -1;
     while (waitpid(v->pid, &exit_status, 0) < 0 && errno == EINTR) {
     }
-    bool ended = WIFEXITED(exit_status) && WEXITSTATUS(exit_status) == 0 && !v->broken && v->frames > 0;
+    char said[512];
+    read_log(v, said, sizeof said);
+    /* On a full disk ffmpeg ends with code 0 and a film that does not play; only its words tell. */
+    bool ended = WIFEXITED(exit_status) && WEXITSTATUS(exit_status) == 0 && !*said && !v->broken && v->frames > 0;
     bool ok = true;
     if (ended && keep) {
         ok = tr_part_keep(v->part, v->path, st);
     } else {
         remove(v->part);
-        char said[512];
-        read_log(v, said, sizeof said);
         if (!ended) {
             const char *why = v->frames == 0 ? "no frames" : *said ? said : "ffmpeg failed";
             ok = tr_status_fail(st, TR_FILE, "error: cannot write %s: %s", v->path, why);

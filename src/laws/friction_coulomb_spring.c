@@ -20,8 +20,8 @@ static const tr_param params[] = {
 
 TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict data) {
     const par *p = data->par;
-    const double mu = p->mu, k_dt = p->k_t * data->dt;
-    double *restrict Q = data->hist[0];
+    const double mu = p->mu, k_dt = p->k_t * tile->dt;
+    double *restrict Q = data->hist[0] + tile->first;
     for (int i = 0; i < tile->n; i++) {
         double bound = mu * tile->f_n[i], trial = Q[i] + k_dt * tile->v_s[i];
         trial = trial > bound ? bound : trial;

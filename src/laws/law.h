@@ -29,6 +29,7 @@ typedef double tr_lane[TR_TILE] __attribute__((aligned(64)));
 typedef tr_quad tr_quads[TR_TILE] __attribute__((aligned(64)));
 
 typedef struct tr_tile {
+    double dt;    /* of this step [s] */
     int first;    /* number of the tile's first contact in its group */
     int n;        /* contacts in this tile */
     int touching; /* of them with overlap > 0; counted by kinematics */
@@ -54,10 +55,9 @@ typedef struct tr_tile {
     tr_lane fx, fy, q1, q2;
 } tr_tile;
 
-/* What a law sees of the contacts in the tile besides the tile. Pointers are at the tile's first contact. */
+/* What a pass sees of the group besides the tile. Contact i of the tile is number tile->first + i of these arrays. */
 typedef struct tr_law_data {
     const void *par; /* the law's parameter struct */
-    double dt;       /* [s] */
     double *hist[TR_MAX_HIST];
     const double *pair[TR_MAX_PAIR];
 } tr_law_data;
@@ -100,13 +100,13 @@ typedef struct tr_law {
 /* The registry. Index = tr_scene_law.law. */
 extern const tr_law *const tr_laws_normal[], *const tr_laws_friction[], *const tr_laws_rolling[];
 
-/* The rolling velocities: one row each; a pass that writes tile->v_r from s1, s2, g1. */
-typedef struct tr_rolling_velocity {
+/* The rolling and the sliding velocities by author: a pass that writes tile->v_r (tile->v_s) from s1, s2, the radii and arms. */
+typedef struct tr_velocity_measure {
     const char *name, *source;
     tr_pass_run *step;
-} tr_rolling_velocity;
-extern const tr_rolling_velocity tr_rolling_velocities[];
-extern const int tr_n_rolling_velocities;
+} tr_velocity_measure;
+extern const tr_velocity_measure tr_rolling_velocities[], tr_sliding_velocities[];
+extern const int tr_n_rolling_velocities, tr_n_sliding_velocities;
 
 /* The registry as the scene reader wants it. The catalog lives as long as the program. */
 const tr_param_catalog *tr_laws_catalog(void);

@@ -32,7 +32,7 @@ static void pair(const void *par_, const tr_pair_bodies *bodies, double *constan
 
 TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict data) {
     const par *p = data->par;
-    const double k = p->k_n, *restrict c = data->pair[0];
+    const double k = p->k_n, *restrict c = data->pair[0] + tile->first;
     for (int i = 0; i < tile->n; i++) {
         double delta = tile->delta[i], elastic = delta > 0 ? k * delta : 0, force = elastic + c[i] * tile->v_n[i];
         force = force > 0 ? force : 0;

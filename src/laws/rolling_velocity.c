@@ -41,7 +41,7 @@ TR_VECTOR static void alonso_mean(tr_tile *restrict tile, const tr_law_data *dat
     }
 }
 
-const tr_rolling_velocity tr_rolling_velocities[] = {
+const tr_velocity_measure tr_rolling_velocities[] = {
     {"wang", "[Wang2015 eq. 11]", wang},
     {"bagi-kuhn", "[Wang2015 eqs. 16, 19a]", bagi_kuhn},
     {"alonso-min", "[Wang2015 model 2], inferred", alonso_min},

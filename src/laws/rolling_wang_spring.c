@@ -25,9 +25,9 @@ static const tr_param params[] = {
 
 TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict data) {
     const par *p = data->par;
-    const double mu_r = p->mu_r, k_dt = p->k_r * data->dt;
+    const double mu_r = p->mu_r, k_dt = p->k_r * tile->dt;
     const double *restrict R2 = tile->R2, *restrict g1 = tile->g1;
-    double *restrict T = data->hist[0];
+    double *restrict T = data->hist[0] + tile->first;
     for (int i = 0; i < tile->n; i++) {
         double bound = mu_r * tile->f_n[i], trial = T[i] + k_dt * tile->v_r[i], R_eff = g1[i] * R2[i];
         trial = trial > bound ? bound : trial;
@@ -41,7 +41,7 @@ TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict d
 static void state(const tr_tile *tile, const tr_law_data *data, double *energy, double *bound) {
     const par *p = data->par;
     for (int i = 0; i < tile->n; i++) {
-        double T = data->hist[0][i];
+        double T = data->hist[0][tile->first + i];
         energy[i] = T * T / (2 * p->k_r);
         bound[i] = p->mu_r * tile->f_n[i] * tile->g1[i] * tile->R2[i];
     }

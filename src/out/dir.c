@@ -45,17 +45,20 @@ static bool remove_old(const char *dir, const char *name, tr_status *st) {
     return tr_status_fail(st, TR_FILE, "error: cannot remove %s: %s", path, strerror(errno));
 }
 
+/* 00012.png, and the part of it that a killed run may have left */
+static bool is_frame(const char *name) {
+    return strspn(name, "0123456789") == 5 && (!strcmp(name + 5, ".png") || !strcmp(name + 5, ".png.part"));
+}
+
 static bool remove_frames(const char *dir, tr_status *st) {
     char frames[TR_PATH];
     if (!tr_dir_path(frames, dir, "frames", st)) return false;
     DIR *d = opendir(frames);
     bool ok = true;
-    for (struct dirent *e; d && ok && (e = readdir(d));) {
-        unsigned number;
-        int end = 0;
-        if (sscanf(e->d_name, "%5u.png%n", &number, &end) == 1 && end > 0) ok = remove_old(frames, e->d_name, st);
-    }
+    for (struct dirent *e; d && ok && (e = readdir(d));)
+        if (is_frame(e->d_name)) ok = remove_old(frames, e->d_name, st);
     if (d) closedir(d);
+    rmdir(frames); /* stays if something else is in it */
     return ok;
 }
 
@@ -65,8 +68,11 @@ bool tr_dir_open(const char *dir, bool force, tr_status *st) {
     if (!force && !access(summary, F_OK))
         return tr_status_fail(st, TR_FILE, "error: %s holds a finished run; give another -o, or --force to replace it",
                               dir);
-    for (size_t k = 0; k < sizeof results / sizeof *results; k++)
-        if (!remove_old(dir, results[k], st)) return false;
+    for (size_t k = 0; k < sizeof results / sizeof *results; k++) {
+        char part[32];
+        snprintf(part, sizeof part, "%s.part", results[k]);
+        if (!remove_old(dir, results[k], st) || !remove_old(dir, part, st)) return false;
+    }
     return remove_frames(dir, st);
 }
 

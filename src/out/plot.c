@@ -8,6 +8,7 @@
 #include <fcntl.h>
 #include <spawn.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,17 +17,18 @@ extern char **environ;
 static const char script[] =
     "# SPDX-License-Identifier: MIT\n"
     "# Curves of the biaxial test. Run in this directory: gnuplot plot.gp\n"
+    "if (!exists('part')) { part = '' }\n"
     "set datafile separator ','\n"
-    "array out[2] = ['biaxial.svg.part', 'biaxial.png.part']\n"
+    "array out[2] = ['biaxial.svg'.part, 'biaxial.png'.part]\n"
     "do for [k = 1:2] {\n"
     "    if (k == 1) { set terminal svg size 900,720 font 'DejaVu Sans,17' enhanced background '#ffffff' }\n"
     "    if (k == 2) { set terminal pngcairo size 1350,1080 font 'DejaVu Sans,20' enhanced linewidth 1.5 }\n"
     "    set output out[k]\n"
     "    set multiplot layout 2,1 title caption font ',15' margins 0.12,0.96,0.11,0.91 spacing 0.06\n"
     "    set grid linecolor '#d0d0d0'\n"
-    "    set xrange [0:*]\n"
+    "    set xrange [0:100*strain_end]\n"
     "    set key bottom right box linecolor '#d0d0d0' opaque width 1 height 0.3\n"
-    "    set yrange [0:*]\n"
+    "    set yrange [*<0:*]\n"
     "    set format x ''\n"
     "    set ylabel 'sin φ = (σ_1 − σ_2)/(σ_1 + σ_2)' offset 1\n"
     "    plot 'history.csv' using (100*$1):'sin_phi' every ::1 with lines linewidth 2.5 linecolor '#0072b2' title "
@@ -46,39 +48,60 @@ bool tr_plot_available(void) {
     return tr_program_available("gnuplot");
 }
 
-/* gnuplot, working in dir, silent. */
+/* gnuplot, working in dir, silent. -d: without the user's settings. A process group of its own: Ctrl-C must not leave
+ * half a picture. */
 static int run_gnuplot(const char *dir) {
-    char *const argv[] = {"gnuplot", "plot.gp", NULL};
+    char *const argv[] = {"gnuplot", "-d", "-e", "part = '.part'", "plot.gp", NULL};
     posix_spawn_file_actions_t actions;
+    posix_spawnattr_t attr;
     pid_t child;
     int status = -1;
+    posix_spawnattr_init(&attr);
+    posix_spawnattr_setflags(&attr, POSIX_SPAWN_SETPGROUP);
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addchdir_np(&actions, dir);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    int error = posix_spawnp(&child, argv[0], &actions, NULL, argv, environ);
+    int error = posix_spawnp(&child, argv[0], &actions, &attr, argv, environ);
     posix_spawn_file_actions_destroy(&actions);
+    posix_spawnattr_destroy(&attr);
     if (error) return error;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-static bool keep(const char *dir, const char *name, tr_status *st) {
+/* gnuplot does not notice a full disk: a picture is whole if it ends as its format does. */
+static bool is_whole(const char *path, const char *end, size_t size) {
+    char tail[16];
+    FILE *file = fopen(path, "rb");
+    bool whole = file && fseek(file, -(long)size, SEEK_END) == 0 && fread(tail, 1, size, file) == size &&
+                 memcmp(tail, end, size) == 0;
+    if (file) fclose(file);
+    return whole;
+}
+
+/* The picture gets its name; with gnuplot's code != 0 it is removed. */
+static bool keep(const char *dir, const char *name, const char *end, size_t size, int code, tr_status *st) {
     char path[TR_PATH];
     if (!tr_dir_path(path, dir, name, st)) return false;
     char *part = tr_part_name(path, st);
-    bool ok = part && tr_part_keep(part, path, st);
+    bool ok = part != NULL;
+    if (ok && code)
+        unlink(part);
+    else if (ok && !is_whole(part, end, size))
+        unlink(part), ok = tr_status_fail(st, TR_FILE, "error: cannot write %s: gnuplot left it unfinished", path);
+    else if (ok)
+        ok = tr_part_keep(part, path, st);
     free(part);
     return ok;
 }
 
-bool tr_plot_biaxial(const char *dir, const char *caption, tr_status *st) {
+bool tr_plot_biaxial(const char *dir, const char *caption, double strain_end, int *code, tr_status *st) {
+    static const char svg_end[] = "</svg>\n\n", png_end[] = "IEND\xae\x42\x60\x82";
     tr_file file;
     if (!tr_file_open(&file, dir, "plot.gp", st)) return false;
-    fprintf(file.stream, "caption = '%s'\n%s", caption, script);
+    fprintf(file.stream, "caption = '%s'\nstrain_end = %g\n%s", caption, strain_end, script);
     if (!tr_file_commit(&file, st)) return false;
-    int code = run_gnuplot(dir);
-    if (code)
-        return tr_status_fail(st, TR_FILE, "error: gnuplot failed (%d) on %s/plot.gp; run it there to see why", code,
-                              dir);
-    return keep(dir, "biaxial.svg", st) && keep(dir, "biaxial.png", st);
+    *code = run_gnuplot(dir);
+    bool svg = keep(dir, "biaxial.svg", svg_end, sizeof svg_end - 1, *code, st);
+    return keep(dir, "biaxial.png", png_end, sizeof png_end - 1, *code, st) && svg;
 }

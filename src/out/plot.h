@@ -9,7 +9,8 @@
 
 bool tr_plot_available(void); /* is gnuplot on the PATH? */
 
-/* caption: one line above the curves. TR_FILE with gnuplot's exit code when it fails. */
-bool tr_plot_biaxial(const char *dir, const char *caption, tr_status *st);
+/* caption: one line above the curves; strain_end: of the axis. *code: gnuplot's exit code; if it is not 0 there are no
+ * pictures, which is no failure of the run. TR_FILE: a file cannot be written. */
+bool tr_plot_biaxial(const char *dir, const char *caption, double strain_end, int *code, tr_status *st);
 
 #endif

@@ -4,6 +4,7 @@
 #include "base/version.h"
 #include <jansson.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 tr_strength tr_summary_strength(const tr_series *s) {
@@ -34,7 +35,10 @@ static json_t *begin(const tr_scene *scene, const char *kind) {
     json_t *o = json_object();
     json_object_set_new(o, "version", json_string(TR_VERSION));
     json_object_set_new(o, "kind", json_string(kind));
-    json_object_set_new(o, "seed", json_integer((json_int_t)scene->seed));
+    char seed[24]; /* JSON text has no limit, but jansson's integers are signed: the upper half as a string */
+    snprintf(seed, sizeof seed, "%llu", (unsigned long long)scene->seed);
+    bool fits = scene->seed <= INT64_MAX;
+    json_object_set_new(o, "seed", fits ? json_integer((json_int_t)scene->seed) : json_string(seed));
     return o;
 }
 
@@ -66,10 +70,11 @@ static char *finish(json_t *o, const tr_timing *timing, tr_status *st) {
     add(t, "wall_s", timing->wall_s);
     add(t, "contact_updates_per_s", timing->contact_updates_per_s);
     json_object_set_new(o, "timing", t);
-    char *text = json_dumps(o, JSON_INDENT(2) | JSON_REAL_PRECISION(15));
+    char *text = json_dumps(o, JSON_INDENT(2) | JSON_REAL_PRECISION(15)), *line = NULL;
     json_decref(o);
-    if (!text) tr_status_fail(st, TR_FILE, "error: out of memory (summary)");
-    return text;
+    if (!text || asprintf(&line, "%s\n", text) < 0) tr_status_fail(st, TR_FILE, "error: out of memory (summary)");
+    free(text);
+    return st->code ? NULL : line;
 }
 
 char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, double unbalanced, const tr_strength *s,

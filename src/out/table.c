@@ -13,9 +13,13 @@ void tr_row_add(tr_row *row, double value, const char *name_format, ...) {
     cell->value = value;
 }
 
+void tr_row_header(const tr_row *row, tr_file *file) {
+    if (ftell(file->stream) != 0) return;
+    for (int i = 0; i < row->n; i++) fprintf(file->stream, "%s%c", row->cell[i].name, i + 1 < row->n ? ',' : '\n');
+}
+
 bool tr_row_write(const tr_row *row, tr_file *file, tr_status *st) {
-    if (ftell(file->stream) == 0)
-        for (int i = 0; i < row->n; i++) fprintf(file->stream, "%s%c", row->cell[i].name, i + 1 < row->n ? ',' : '\n');
+    tr_row_header(row, file);
     for (int i = 0; i < row->n; i++) fprintf(file->stream, "%.9g%c", row->cell[i].value, i + 1 < row->n ? ',' : '\n');
     return tr_file_check(file, st);
 }
@@ -26,14 +30,14 @@ void tr_row_biaxial(tr_row *row, const tr_biaxial_state *s, const tr_measures *m
     tr_row_add(row, s->stress_1, "stress_1_Pa");
     tr_row_add(row, s->stress_2, "stress_2_Pa");
     tr_row_add(row, s->sin_phi, "sin_phi");
-    tr_row_add(row, tan(asin(s->sin_phi)), "tan_phi");
-    tr_row_add(row, 2 * s->sin_phi, "q_over_p"); /* q = s1 - s2, p = (s1 + s2)/2 */
     tr_row_add(row, s->void_ratio, "void_ratio");
     tr_row_add(row, m->n_contacts, "n_contacts");
     tr_row_add(row, m->coordination, "coordination");
     tr_row_add(row, m->sliding_fraction, "sliding_fraction");
     tr_row_add(row, m->rolling_share, "rolling_share");
     tr_row_add(row, m->mobilisation, "mobilisation");
+    tr_row_add(row, tan(asin(s->sin_phi)), "tan_phi");
+    tr_row_add(row, 2 * s->sin_phi, "q_over_p"); /* q = s1 - s2, p = (s1 + s2)/2 */
     tr_row_add(row, m->unbalanced, "unbalanced");
     tr_row_add(row, m->mean_f_n, "mean_f_n_N_per_m");
     tr_row_add(row, m->largest_overlap, "largest_overlap");
@@ -75,6 +79,8 @@ void tr_row_contact(tr_row *row, double time, double strain, const tr_record *c)
     tr_row_add(row, c->s2, "s2_m_per_s");
     for (int v = 0; v < tr_n_rolling_velocities; v++)
         tr_row_add(row, c->v_r_by[v], "v_r_%s_m_per_s", tr_rolling_velocities[v].name);
+    for (int v = 0; v < tr_n_sliding_velocities; v++)
+        tr_row_add(row, c->v_s_by[v], "v_s_%s_m_per_s", tr_sliding_velocities[v].name);
     if (strain >= 0) return;
     tr_row_add(row, c->da, "da_m");
     tr_row_add(row, c->db, "db_m");

@@ -23,6 +23,9 @@ typedef struct tr_row {
 
 void tr_row_add(tr_row *row, double value, const char *name_format, ...) __attribute__((format(printf, 3, 4)));
 
+/* Writes the names, if the file is empty: a table without rows has a header too. */
+void tr_row_header(const tr_row *row, tr_file *file);
+
 /* Writes the header first when it is the first row of the file. */
 bool tr_row_write(const tr_row *row, tr_file *file, tr_status *st);
 

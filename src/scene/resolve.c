@@ -47,7 +47,7 @@ __attribute__((format(printf, 4, 5))) static bool fail(tr_resolver *r, const tr_
 
 /* A key of the same mapping, then of the root; with dots: section.key or list.number.key. */
 static tr_entry *lookup(const tr_resolver *r, const tr_scope *scope, const char *name) {
-    const char *dot = strchr(name, '.'), *key = dot + 1;
+    const char *dot = strchr(name, '.'), *key = dot ? dot + 1 : name;
     if (!dot) {
         tr_entry *e = tr_resolve_entry(scope, name);
         return e ? e : tr_resolve_entry(&r->scopes[0], name);

@@ -104,7 +104,7 @@ bool tr_scene_read(tr_scene *scene, const char *name, const char *text, size_t s
 bool tr_scene_read_file(tr_scene *scene, const char *path, const char *const *sets, int n_sets,
                         const tr_param_catalog *catalog, tr_status *st);
 
-/* The whole case with every default written out, in SI with 17 digits, each key's meaning and unit as a comment.
+/* The whole case with every default written out, in SI with as many digits as it takes, each key's meaning and unit as a comment.
  * Reading it gives the same scene, bit for bit. Allocated: free(); NULL when memory is short. */
 char *tr_scene_write(const tr_scene *scene, const tr_param_catalog *catalog, tr_status *st);
 

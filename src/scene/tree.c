@@ -178,8 +178,8 @@ static tr_node *step(tr_node *parent, const char *key, tr_mark mark, tr_status *
         while (item--) link = &(*link)->next;
         return *link;
     }
-    while (*link && strcmp((*link)->key, key) != 0) link = &(*link)->next;
-    if (*link) return *link;
+    for (; *link; link = &(*link)->next)
+        if (strcmp((*link)->key, key) == 0) return *link;
     tr_node *node = tr_alloc(1, sizeof *node, st);
     if (!node) return NULL;
     *node = (tr_node){.type = TR_NODE_MAPPING, .mark = mark, .key_mark = mark, .key = copy(key, strlen(key), st)};

@@ -14,13 +14,21 @@ typedef struct writer {
     FILE *out;
 } writer;
 
+/* The fewest digits, 17 at most, that read back to the same bits. */
+static void write_real(char *text, size_t size, double value) {
+    for (int digits = 6; digits <= 17; digits++) {
+        snprintf(text, size, "%.*g", digits, value);
+        if (strtod(text, NULL) == value) return;
+    }
+}
+
 /* One key; lead is what stands before it. */
 static void write_key(const writer *w, const tr_param *p, const void *base, const char *lead, bool comment) {
     const void *value = (const char *)base + p->offset;
     char text[64] = "", line[160];
     switch (p->type) {
     case TR_REAL:
-        snprintf(text, sizeof text, "%.17g", *(const double *)value);
+        write_real(text, sizeof text, *(const double *)value);
         break;
     case TR_COUNT:
         snprintf(text, sizeof text, "%d", *(const int *)value);

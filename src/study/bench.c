@@ -99,7 +99,11 @@ bool tr_bench(const tr_scene *scene, const volatile sig_atomic_t *stop, tr_bench
         ok = tr_biaxial_compact(b, 200, &unbalanced, &done, st);
         if (ok && stop && *stop) ok = tr_status_fail(st, TR_INTERRUPTED, "stopped");
     }
-    ok = ok && tr_biaxial_begin_shear(b, st) && shear(b, stop, report, st);
+    ok = ok && tr_biaxial_begin_shear(b, st);
+    if (ok && b->shear_steps < BLOCKS)
+        ok = tr_status_fail(st, TR_BAD_CASE, "error: bench needs %d steps of shear or more, this case has %lld", BLOCKS,
+                            (long long)b->shear_steps);
+    ok = ok && shear(b, stop, report, st);
     if (ok) {
         report->bytes_per_disk = (double)tr_world_bytes(&b->world) / b->world.disks.n;
         time_passes(&b->world, report, st);

@@ -2,6 +2,7 @@
 #include "study/run_internal.h"
 
 #include "laws/law.h"
+#include <assert.h>
 #include <errno.h>
 #include <math.h>
 #include <stdarg.h>
@@ -12,26 +13,62 @@
 
 bool tr_run(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st) {
     *report = (tr_run_report){0};
-    if (!tr_dir_open(options->dir, options->force, st)) return false;
-    char *resolved = tr_scene_write(scene, tr_laws_catalog(), st);
-    bool ok = resolved && tr_file_write(options->dir, "case.yaml", resolved, st);
-    free(resolved);
-    if (!ok) return false;
     return scene->kind == TR_KIND_BIAXIAL ? tr_run_biaxial(scene, options, report, st)
                                           : tr_run_bodies(scene, options, report, st);
 }
 
-/* Item j of n, from 0 to the end; a single one at the end. */
+bool tr_run_check(const tr_scene *scene, tr_status *st) {
+    return scene->kind == TR_KIND_BIAXIAL ? tr_run_check_biaxial(scene, st) : tr_run_check_bodies(scene, st);
+}
+
+/* A user who runs ./case.yaml with -o . would lose it to the resolved case. */
+static bool spare_case_file(const tr_run_options *options, tr_status *st) {
+    struct stat given, ours;
+    char path[TR_PATH];
+    if (!tr_dir_path(path, options->dir, "case.yaml", st)) return false;
+    if (!options->case_file || stat(options->case_file, &given) || stat(path, &ours)) return true;
+    if (given.st_dev != ours.st_dev || given.st_ino != ours.st_ino) return true;
+    return tr_status_fail(st, TR_FILE, "error: the run would write over its own case file %s; give another -o", path);
+}
+
+bool tr_run_open(const tr_scene *scene, const tr_run_options *options, tr_status *st) {
+    char *resolved = tr_scene_write(scene, tr_laws_catalog(), st);
+    bool ok = resolved && spare_case_file(options, st) && tr_dir_open(options->dir, options->force, st) &&
+              tr_file_write(options->dir, "case.yaml", resolved, st);
+    free(resolved);
+    return ok;
+}
+
+/* A run of few steps cannot give more than one row (frame) a step, and one list of contacts a step after the start. */
+static int rows_of(int asked, int64_t total) {
+    return asked <= total ? asked : (int)total + 1;
+}
+
+static int lists_of(int asked, int64_t total) {
+    return asked <= total ? asked : (int)total;
+}
+
+/* Item j of n, from 0 to the end; a single one at the end. n <= total + 1, so no two fall on one step. */
 static bool is_due(int j, int n, int64_t k, int64_t total) {
     return j < n && k == (n == 1 ? total : (int64_t)llround((double)total * j / (n - 1)));
 }
 
 unsigned tr_outputs_due(const tr_outputs *o, int64_t k, int64_t total) {
     const tr_scene_output *want = &o->scene->output;
-    unsigned due = is_due(o->rows, want->rows, k, total) ? TR_DUE_ROW : 0;
-    if (is_due(o->frames, want->frames, k, total)) due |= TR_DUE_FRAME;
-    if (o->instants < want->contacts && k == total * (o->instants + 1) / want->contacts) due |= TR_DUE_CONTACTS;
+    int lists = lists_of(want->contacts, total);
+    unsigned due = is_due(o->rows, rows_of(want->rows, total), k, total) ? TR_DUE_ROW : 0;
+    if (is_due(o->frames, rows_of(want->frames, total), k, total)) due |= TR_DUE_FRAME;
+    if (o->instants < lists && k == total * (o->instants + 1) / lists) due |= TR_DUE_CONTACTS;
     return due;
+}
+
+static void note_fewer(const tr_outputs *o, tr_run_report *report, int64_t total) {
+    const tr_scene_output *want = &o->scene->output;
+    int rows = rows_of(want->rows, total), frames = rows_of(want->frames, total),
+        lists = lists_of(want->contacts, total);
+    if (rows < want->rows || frames < want->frames || lists < want->contacts)
+        tr_run_note(report, "the run has only %lld steps: %d rows, %d frames, %d instants of contacts",
+                    (long long)total, rows, frames, lists);
 }
 
 double tr_run_clock(void) {
@@ -41,6 +78,7 @@ double tr_run_clock(void) {
 }
 
 void tr_run_say(tr_run_report *report, const char *label, const char *format, ...) {
+    assert(report->n_lines < (int)(sizeof report->line / sizeof *report->line));
     struct tr_report_line *line = &report->line[report->n_lines++];
     va_list args;
     va_start(args, format);
@@ -50,6 +88,7 @@ void tr_run_say(tr_run_report *report, const char *label, const char *format, ..
 }
 
 void tr_run_note(tr_run_report *report, const char *format, ...) {
+    assert(report->n_notes < (int)(sizeof report->note / sizeof *report->note));
     va_list args;
     va_start(args, format);
     vsnprintf(report->note[report->n_notes++], sizeof report->note[0], format, args);
@@ -70,9 +109,10 @@ static int frame_rate(int frames) {
 }
 
 bool tr_outputs_open(tr_outputs *o, const tr_scene *scene, const tr_run_options *options, const char *film,
-                     tr_run_report *report, tr_status *st) {
+                     int64_t total, tr_run_report *report, tr_status *st) {
     *o = (tr_outputs){.scene = scene, .options = options};
     char path[TR_PATH];
+    note_fewer(o, report, total);
     if (!tr_file_open(&o->history, options->dir, "history.csv", st)) return false;
     if (scene->output.contacts && !tr_file_open(&o->contacts, options->dir, "contacts.csv", st)) return false;
     if (!scene->output.frames) return true;
@@ -83,18 +123,21 @@ bool tr_outputs_open(tr_outputs *o, const tr_scene *scene, const tr_run_options 
     if (!tr_video_available())
         return tr_run_note(report, "no film: ffmpeg is not installed; frames/ has the pictures"), true;
     if (!tr_dir_path(path, options->dir, film, st)) return false;
-    return (o->video = tr_video_open(path, frame_rate(scene->output.frames), st)) != NULL;
+    return (o->video = tr_video_open(path, frame_rate(rows_of(scene->output.frames, total)), st)) != NULL;
 }
 
 bool tr_outputs_row(tr_outputs *o, const tr_row *row, tr_status *st) {
+    if (!tr_row_write(row, &o->history, st)) return false;
     o->rows++;
-    return tr_row_write(row, &o->history, st);
+    return true;
 }
 
 bool tr_outputs_contacts(tr_outputs *o, double time, double strain, int n_records, tr_status *st) {
+    tr_row row;
     o->instants++;
+    tr_row_contact(&row, time, strain, &(tr_record){0});
+    tr_row_header(&row, &o->contacts);
     for (int i = 0; i < n_records; i++) {
-        tr_row row;
         tr_row_contact(&row, time, strain, &o->records[i]);
         if (!tr_row_write(&row, &o->contacts, st)) return false;
     }
@@ -104,30 +147,32 @@ bool tr_outputs_contacts(tr_outputs *o, double time, double strain, int n_record
 bool tr_outputs_frame(tr_outputs *o, tr_draw *draw, const tr_view *view, tr_status *st) {
     char path[TR_PATH + 32];
     draw(o->canvas, view);
-    snprintf(path, sizeof path, "%s/frames/%05d.png", o->options->dir, o->frames++);
-    return tr_canvas_png(o->canvas, path, st) && (!o->video || tr_video_frame(o->video, o->canvas, st));
+    snprintf(path, sizeof path, "%s/frames/%05d.png", o->options->dir, o->frames);
+    if (!tr_canvas_png(o->canvas, path, st)) return false;
+    o->frames++;
+    return !o->video || tr_video_frame(o->video, o->canvas, st);
+}
+
+/* Gives a table of n rows its name; one that could not be written is already gone. */
+static bool close_table(tr_file *file, int n, tr_status *st) {
+    if (file->stream && n) return tr_file_commit(file, st);
+    tr_file_discard(file);
+    return false;
 }
 
 bool tr_outputs_close(tr_outputs *o, tr_status *st) {
-    bool keep = st->code != TR_FILE;
     tr_status closing = {0};
-    if (keep && o->rows)
-        tr_file_commit(&o->history, &closing);
-    else
-        tr_file_discard(&o->history);
-    if (keep && o->instants)
-        tr_file_commit(&o->contacts, &closing);
-    else
-        tr_file_discard(&o->contacts);
-    tr_video_close(o->video, keep && o->frames, &closing);
+    bool table = close_table(&o->history, o->rows, &closing);
+    close_table(&o->contacts, o->instants, &closing);
+    bool film = o->video && tr_video_close(o->video, o->frames > 0, &closing);
     tr_canvas_free(o->canvas);
     free(o->records);
-    if (closing.code && keep) tr_status_fail(st, closing.code, "%s", closing.text);
-    if (st->code == TR_INTERRUPTED || st->code == TR_NUMERICAL) {
-        size_t used = strlen(st->text);
-        snprintf(st->text + used, sizeof st->text - used,
-                 "\nkept in %s: %d rows of history.csv, %d frames%s; not finished, no summary.json", o->options->dir,
-                 o->rows, o->frames, o->video && o->frames ? " and their film" : "");
-    }
-    return st->code == TR_OK;
+    o->video = NULL, o->canvas = NULL, o->records = NULL;
+    if (closing.code) tr_status_fail(st, closing.code, "%s", closing.text);
+    if (!st->code) return true;
+    size_t used = strlen(st->text);
+    snprintf(st->text + used, sizeof st->text - used,
+             "\nkept in %s: %d rows of history.csv, %d frames%s; not finished, no summary.json", o->options->dir,
+             table ? o->rows : 0, o->frames, film ? " and their film" : "");
+    return false;
 }

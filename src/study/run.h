@@ -8,10 +8,11 @@
 #include <signal.h>
 
 typedef struct tr_run_options {
-    const char *dir;                                                     /* where results go */
-    const char *title;                                                   /* of the film of a bodies scene */
-    bool force;                                                          /* replace a finished run */
-    const volatile sig_atomic_t *stop;                                   /* set it to stop cleanly */
+    const char *dir;                   /* where results go */
+    const char *case_file;             /* where the scene was read: the run refuses to write over it; may be NULL */
+    const char *title;                 /* of the film of a bodies scene */
+    bool force;                        /* replace a finished run */
+    const volatile sig_atomic_t *stop; /* set it to stop cleanly */
     void (*progress)(void *context, const char *stage, double fraction); /* called often; may be NULL */
     void *context;
 } tr_run_options;
@@ -22,12 +23,15 @@ typedef struct tr_run_report {
     struct tr_report_line {
         char label[40], value[80];
     } line[24];
-    char note[4][200];
+    char note[8][200];
 } tr_run_report;
 
-/* Runs the case. Stopped: TR_INTERRUPTED, and a message that says what was kept. Numerical failure: TR_NUMERICAL, and
- * what there is up to then is kept as well. A file that cannot be written: TR_FILE, nothing half-written under a final
- * name. */
+/* Finds what reading a case cannot: a step above the bound, a sample without room, bodies that overlap too much. */
+bool tr_run_check(const tr_scene *scene, tr_status *st);
+
+/* Runs the case. What tr_run_check finds is found before the directory is touched. Stopped: TR_INTERRUPTED, numerical
+ * failure: TR_NUMERICAL, a file that cannot be written: TR_FILE; each keeps the rows, frames and film up to then and
+ * says so, and nothing is half-written under a final name. */
 bool tr_run(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st);
 
 #endif

@@ -30,7 +30,9 @@ static bool compact(test *t, tr_status *st) {
     bool done = false;
     double asked = t->scene->compaction.unbalanced, fraction = 0;
     while (!done) {
-        if (tr_run_stopped(t->options)) return tr_status_fail(st, TR_INTERRUPTED, "stopped during compaction");
+        if (tr_run_stopped(t->options))
+            return tr_status_fail(st, TR_INTERRUPTED, "stopped during compaction; %s holds case.yaml only",
+                                  t->options->dir);
         if (!tr_biaxial_compact(&t->b, at_once, &t->unbalanced, &done, st)) return false;
         fraction = fmax(fraction, log(t->unbalanced) / log(asked)); /* it decays exponentially */
         tr_run_progress(t->options, "compaction", fraction);
@@ -54,6 +56,7 @@ static void set_view(test *t) {
     const tr_scene_sample *sample = &t->scene->sample;
     double width = w[TR_RIGHT_WALL].x - w[TR_LEFT_WALL].x, centre = 0.5 * (w[TR_RIGHT_WALL].x + w[TR_LEFT_WALL].x);
     double spread = 0.5 * width * 1.1 / (1 - t->scene->shear.strain_end); /* volume kept, and a tenth of dilation */
+    double arrows = 0.08 * width; /* room for those of the driven walls */
     double d = sample->r_min + sample->r_max, speed = 4 * t->b.rate * d;
     tr_record typical = {.v_s = speed, .v_r = speed};
     const tr_slot *rolling = &t->b.world.group[0].slot[TR_ROLLING];
@@ -67,8 +70,8 @@ static void set_view(test *t) {
         .f_mean = 1.5 * t->scene->shear.lateral_pressure * d,
         .x0 = centre - spread,
         .x1 = centre + spread,
-        .y0 = w[TR_BOTTOM_WALL].y,
-        .y1 = w[TR_TOP_WALL].y,
+        .y0 = w[TR_BOTTOM_WALL].y - arrows,
+        .y1 = w[TR_TOP_WALL].y + arrows,
         .time_end = (double)t->b.shear_steps * t->b.world.dt,
     };
 }
@@ -96,7 +99,8 @@ static bool row(test *t, const tr_measures *m, tr_status *st) {
     t->series.strain[t->series.n] = t->state.strain;
     t->series.sin_phi[t->series.n] = t->state.sin_phi;
     t->series.void_ratio[t->series.n++] = t->state.void_ratio;
-    if (t->state.strain > 0.01) t->stress_2_sum += t->state.stress_2, t->stress_2_n++;
+    bool early = t->state.strain <= fmin(0.01, 0.5 * t->scene->shear.strain_end);
+    if (!early) t->stress_2_sum += t->state.stress_2, t->stress_2_n++;
     tr_row_biaxial(&cells, &t->state, m, energy ? &t->energy : NULL);
     return tr_outputs_row(&t->out, &cells, st);
 }
@@ -138,7 +142,7 @@ static void report(test *t, const tr_strength *s, const tr_timing *timing) {
     tr_run_say(r, "inertial number I", "%g", t->scene->shear.inertial_number);
     tr_run_say(r, "void ratio e0", "%.4f", t->e0);
     tr_run_say(r, "sin phi, peak", "%.3f at %.1f %% strain", s->sin_phi_peak, 100 * s->strain_peak);
-    tr_run_say(r, "sin phi, residual", "%.3f (mean over %.0f-%.0f %% strain)", s->sin_phi_residual,
+    tr_run_say(r, "sin phi, residual", "%.3f (mean over %.3g-%.3g %% strain)", s->sin_phi_residual,
                100 * s->residual_from, 100 * t->scene->shear.strain_end);
     tr_run_say(r, "void ratio, residual", "%.4f", s->e_residual);
     tr_run_say(r, "lateral stress", "%.4g Pa, asked %.4g", t->stress_2_sum / t->stress_2_n,
@@ -152,6 +156,7 @@ static void report(test *t, const tr_strength *s, const tr_timing *timing) {
 static bool summarise(test *t, double started, double stepping, tr_status *st) {
     tr_strength s = tr_summary_strength(&t->series);
     char caption[200];
+    int code = 0;
     const tr_scene *scene = t->scene;
     snprintf(caption, sizeof caption, "%d disks, seed %llu, I = %g, stiffness ratio %g, %s, rolling velocity %s",
              scene->sample.disks, (unsigned long long)scene->seed, scene->shear.inertial_number,
@@ -160,8 +165,10 @@ static bool summarise(test *t, double started, double stepping, tr_status *st) {
              tr_rolling_velocities[scene->contact.rolling_velocity].name);
     if (!tr_plot_available())
         tr_run_note(t->report, "no curves: gnuplot is not installed; history.csv has the numbers");
-    else if (!tr_plot_biaxial(t->options->dir, caption, st))
+    else if (!tr_plot_biaxial(t->options->dir, caption, fmax(t->state.strain, scene->shear.strain_end), &code, st))
         return false;
+    else if (code)
+        tr_run_note(t->report, "no curves: gnuplot failed (%d) on plot.gp; run it there to see why", code);
     tr_timing timing = {tr_run_clock() - started, (double)t->b.world.contact_updates / stepping};
     char *text = tr_summary_biaxial(scene, &t->b, t->e0, t->unbalanced, &s, t->stress_2_sum / t->stress_2_n,
                                     t->b.world.ledger ? &t->energy : NULL, &timing, st);
@@ -169,6 +176,14 @@ static bool summarise(test *t, double started, double stepping, tr_status *st) {
     report(t, &s, &timing);
     bool ok = tr_file_write(t->options->dir, "summary.json", text, st);
     free(text);
+    return ok;
+}
+
+bool tr_run_check_biaxial(const tr_scene *scene, tr_status *st) {
+    tr_biaxial *b = tr_alloc(1, sizeof *b, st);
+    bool ok = b && tr_biaxial_init(b, scene, st);
+    if (ok) tr_biaxial_free(b);
+    free(b);
     return ok;
 }
 
@@ -181,7 +196,7 @@ bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run
     bool ok = (t->series.strain = tr_alloc(rows, sizeof(double), st)) &&
               (t->series.sin_phi = tr_alloc(rows, sizeof(double), st)) &&
               (t->series.void_ratio = tr_alloc(rows, sizeof(double), st)) && tr_biaxial_init(&t->b, scene, st) &&
-              compact(t, st);
+              tr_run_open(scene, options, st) && compact(t, st);
     if (ok) {
         const tr_wall *w = t->b.world.wall;
         t->e0 =
@@ -189,7 +204,7 @@ bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run
         set_view(t);
         double shear_started = tr_run_clock();
         t->b.world.contact_updates = 0;
-        if (tr_outputs_open(&t->out, scene, options, "biaxial.mp4", report, st)) shear(t, st);
+        if (tr_outputs_open(&t->out, scene, options, "biaxial.mp4", t->b.shear_steps, report, st)) shear(t, st);
         double stepping = tr_run_clock() - shear_started - t->out.seconds;
         ok = tr_outputs_close(&t->out, st) && summarise(t, started, stepping, st);
     }

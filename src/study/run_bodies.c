@@ -66,6 +66,9 @@ static bool look(show *s, unsigned due, tr_status *st) {
 static bool play(show *s, tr_status *st) {
     int64_t total = s->b.steps;
     for (int64_t k = 0;; k++) {
+        if (tr_run_stopped(s->options) && s->rehearsal)
+            return tr_status_fail(st, TR_INTERRUPTED, "stopped in the rehearsal for the film; %s holds case.yaml only",
+                                  s->options->dir);
         if (tr_run_stopped(s->options))
             return tr_status_fail(st, TR_INTERRUPTED, "stopped at time %.4g s of %g s", time_of(s), s->scene->time_end);
         if (!tr_step_forces(&s->b.world, st)) return false;
@@ -77,7 +80,7 @@ static bool play(show *s, tr_status *st) {
     }
 }
 
-/* The film's box, from a run without outputs. */
+/* The film's box, from a run without outputs. Where this one breaks down the run will, with what it has written. */
 static bool rehearse(show *s, tr_status *st) {
     s->rehearsal = true;
     s->out.scene = s->scene;
@@ -89,10 +92,14 @@ static bool rehearse(show *s, tr_status *st) {
                         .y1 = -INFINITY};
     bool ok = tr_bodies_init(&s->b, s->scene, st);
     if (ok) s->view.time_end = s->scene->time_end, ok = play(s, st);
+    /* Room for what lies around the disks: hatching of a floor, arcs along it. */
+    double margin = 0.08 * fmax(s->view.x1 - s->view.x0, s->view.y1 - s->view.y0);
+    s->view.x0 -= margin, s->view.x1 += margin, s->view.y0 -= margin, s->view.y1 += margin;
     tr_bodies_free(&s->b);
     free(s->out.records);
     s->out = (tr_outputs){0};
     s->rehearsal = false;
+    if (st->code == TR_NUMERICAL) *st = (tr_status){0}, ok = true;
     return ok;
 }
 
@@ -107,15 +114,24 @@ static void report_bodies(const show *s, tr_run_report *r, const tr_timing *timi
     tr_run_say(r, "wall time", "%.1f s", timing->wall_s);
 }
 
+bool tr_run_check_bodies(const tr_scene *scene, tr_status *st) {
+    tr_bodies *b = tr_alloc(1, sizeof *b, st);
+    bool ok = b && tr_bodies_init(b, scene, st);
+    if (ok) tr_bodies_free(b);
+    free(b);
+    return ok;
+}
+
 bool tr_run_bodies(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st) {
     show *s = tr_alloc(1, sizeof *s, st);
     if (!s) return false;
     s->scene = scene, s->options = options;
-    double started = tr_run_clock(), playing = started;
-    bool ok = (!scene->output.frames || rehearse(s, st)) && tr_bodies_init(&s->b, scene, st);
+    double started = tr_run_clock();
+    bool ok = tr_run_check_bodies(scene, st) && tr_run_open(scene, options, st) &&
+              (!scene->output.frames || rehearse(s, st)) && tr_bodies_init(&s->b, scene, st);
     if (ok) {
-        playing = tr_run_clock();
-        if (tr_outputs_open(&s->out, scene, options, "bodies.mp4", report, st)) play(s, st);
+        double playing = tr_run_clock();
+        if (tr_outputs_open(&s->out, scene, options, "bodies.mp4", s->b.steps, report, st)) play(s, st);
         double stepping = tr_run_clock() - playing - s->out.seconds;
         ok = tr_outputs_close(&s->out, st);
         tr_timing timing = {tr_run_clock() - started, (double)s->b.world.contact_updates / stepping};

@@ -10,6 +10,11 @@
 
 bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st);
 bool tr_run_bodies(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st);
+bool tr_run_check_biaxial(const tr_scene *scene, tr_status *st);
+bool tr_run_check_bodies(const tr_scene *scene, tr_status *st);
+
+/* Makes the directory ready and writes the resolved case into it. */
+bool tr_run_open(const tr_scene *scene, const tr_run_options *options, tr_status *st);
 
 double tr_run_clock(void); /* wall time [s] */
 
@@ -34,8 +39,9 @@ typedef struct tr_outputs {
 
 typedef void tr_draw(tr_canvas *canvas, const tr_view *view);
 
+/* total: steps to come. When they are too few for all that is asked, a note says how much less there will be. */
 bool tr_outputs_open(tr_outputs *o, const tr_scene *scene, const tr_run_options *options, const char *film,
-                     tr_run_report *report, tr_status *st);
+                     int64_t total, tr_run_report *report, tr_status *st);
 /* What is due at step k of total: rows and frames are spread evenly from 0 to the end, lists of contacts end at the
  * end. */
 enum { TR_DUE_ROW = 1, TR_DUE_FRAME = 2, TR_DUE_CONTACTS = 4 };
@@ -45,8 +51,8 @@ bool tr_outputs_row(tr_outputs *o, const tr_row *row, tr_status *st);
 bool tr_outputs_contacts(tr_outputs *o, double time, double strain, int n_records, tr_status *st);
 bool tr_outputs_frame(tr_outputs *o, tr_draw *draw, const tr_view *view, tr_status *st);
 
-/* Gives the files their names if the run went well, was stopped, or broke down numerically, and adds to such a message
- * what was kept; removes them when a file could not be written. Returns st->code == TR_OK. */
+/* Gives the files their names, whatever ended the run: their rows are whole. A file that could not be written is
+ * removed. To the message of a failure it adds what was kept. Returns st->code == TR_OK. */
 bool tr_outputs_close(tr_outputs *o, tr_status *st);
 
 #endif

@@ -191,7 +191,7 @@ static void written_text(void **state) {
     const char *const lines[] = {
         "kind: bodies                               # what is simulated: a biaxial test, or a few bodies\n"
         "seed: 1                                    # start of the random numbers: same seed, same sample\n"
-        "time_end: 0.10000000000000001              # time that the run covers [s]\n"
+        "time_end: 0.1                              # time that the run covers [s]\n"
         "\ncontact: # what two disks do to each other\n"
         "  normal: linear                           # law of the normal force\n",
         "  k_t: 500000                              # stiffness k_t [Pa]\n",

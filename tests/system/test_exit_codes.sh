@@ -1,0 +1,100 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Exit codes: 0 done, 2 usage or case, 3 files, 4 numerical failure. Each failure says what is wrong, and a run that
+# cannot begin touches no directory.
+set -u
+# shellcheck source=tests/system/tap.sh
+. "$(dirname "$0")/tap.sh"
+cd "$work" || exit 1
+write_small_case small.yaml
+write_bodies_case bodies.yaml
+
+# fails CODE TEXT ARGUMENTS...: with that code and a message that has the text
+fails() {
+    wanted=$1 text=$2
+    shift 2
+    run_gives "$wanted" "$@" && says stderr "$text"
+}
+# refused CODE TEXT ARGUMENTS...: the same, and no results directory
+refused() {
+    fails "$@" -o refused && not test -e refused
+}
+
+# ---- usage ----
+program_gives() {
+    wanted=$1
+    shift
+    "$TRUNDLE" "$@" >stdout 2>stderr
+    equals $? "$wanted"
+}
+check 'no command: 2' program_gives 2
+check 'unknown command: 2' program_gives 2 fly
+check '--help: 0' program_gives 0 --help
+check '--version: 0' program_gives 0 --version
+check 'run --help: 0' program_gives 0 run --help
+check 'no case: 2' program_gives 2 run
+check 'two cases: 2' program_gives 2 run small.yaml bodies.yaml
+check 'unknown option: 2' program_gives 2 run small.yaml --frobnicate
+check 'bench of too short a test: 2' program_gives 2 bench small.yaml --set shear.strain_end=1e-6
+check 'bench of bodies: 2' program_gives 2 bench bodies.yaml
+
+# ---- a bad case: 2, and no directory ----
+printf 'kind: biaxial\nseed: [\n' >broken.yaml
+: >empty.yaml
+check 'bad YAML' refused 2 'broken.yaml:' broken.yaml
+check 'an empty file' refused 2 'empty.yaml:' empty.yaml
+check 'a misspelt key' refused 2 'did you mean' small.yaml --set shear.strain_ent=0.1
+check 'out of range' refused 2 'allowed is' small.yaml --set compaction.pressure=1e-9
+check 'wrong dimension' refused 2 'error:' small.yaml --set 'contact.k_n=3 m'
+check '--seed that is no number' refused 2 'seed' small.yaml --seed x
+check 'fewer than no frames' refused 2 'frames' small.yaml --frames -1
+check 'a step above the bound (biaxial)' refused 2 'above the stability bound' small.yaml --set step.dt=1e-3
+check 'a step above the bound (bodies)' refused 2 'above the stability bound' bodies.yaml --set step.dt=1
+check '--check finds it too' fails 2 'above the stability bound' small.yaml --check --set step.dt=1e-3
+check 'a finished run' run_gives 0 bodies.yaml -o kept
+before=$(cat kept/* | cksum)
+check 'survives --force with a bad case' run_gives 2 bodies.yaml -o kept --force --set step.dt=1
+check 'byte for byte' equals "$(cat kept/* | cksum)" "$before"
+
+# ---- files: 3 ----
+touch file
+ln -s loop loop
+check 'a case that is not there' refused 3 'nothing.yaml' nothing.yaml
+check 'a case that is a directory' refused 3 'kept' kept
+check 'a file where the directory should be' fails 3 'not a directory' small.yaml -o file
+check 'the file is as it was' not test -s file
+check 'a file on the way to it' fails 3 'Not a directory' small.yaml -o file/results
+check 'a loop of links' fails 3 'error:' small.yaml -o loop
+check 'an empty name' fails 3 'directory' small.yaml -o ''
+check 'a name that is too long' fails 3 'too long' small.yaml -o "$(printf '%0300d' 0)"
+check 'a path that is too long' fails 3 'error:' small.yaml -o "$(printf '%05000d' 0)"
+[ -d /proc/self ] && check 'where no directory can be made' fails 3 '/proc/' small.yaml -o /proc/trundle
+mkdir -p taken/history.csv
+check 'a directory in the place of a result' fails 3 'history.csv' small.yaml -o taken
+mkdir taken2 && touch taken2/frames
+check 'a file in the place of frames/' fails 3 'frames' bodies.yaml -o taken2 --frames 2
+check 'leaves no part' no_parts taken2
+if [ "$(id -u)" -ne 0 ]; then
+    mkdir locked && chmod 500 locked
+    check 'a directory without permission' fails 3 'Permission denied' small.yaml -o locked/results
+else
+    skip 'a directory without permission' 'root may write everywhere'
+fi
+
+# ---- numerical failure: 4, what there is, and where ----
+check 'overlap at the start' refused 4 'contact of wall 0 with disk 0' bodies.yaml --set 'disks.0.y=5 mm'
+check 'says what, step and time' says stderr 'overlap 0.005 m is above 0.3 of the radius 0.01 m, at step 0, time 0 s'
+check '--check finds it too' fails 4 'overlap' bodies.yaml --check --set 'disks.0.y=5 mm'
+thrown='--set time_end=0.2s --set disks.0.y=100mm --set disks.0.vy=-8 --set gravity.y=0'
+# shellcheck disable=SC2086 # a list of options
+check 'overlap on the way' fails 4 'contact of wall 0 with disk 0' bodies.yaml -o thrown --frames 3 $thrown --set output.rows=1000
+check 'says what is kept' says stderr 'kept in thrown:'
+check 'rows up to then' test "$(wc -l <thrown/history.csv)" -gt 3
+check 'the first frame' test -e thrown/frames/00000.png
+check 'no summary' not test -e thrown/summary.json
+check 'no part' no_parts thrown
+check 'too large a step, forced' fails 4 'at step' small.yaml -o forced --set step.dt=1e-4 --set step.allow_unstable=yes
+check 'names a disk or a contact' grep -qE 'disk [0-9]+|disks [0-9]+ and [0-9]+' stderr
+check 'no row is not a number' not grep -qsi nan forced/history.csv
+check 'too large a pressure' fails 4 'overlap' small.yaml -o crushed --set compaction.pressure=1e9
+finish

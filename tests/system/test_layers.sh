@@ -1,0 +1,156 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The rooms of the house: which folder may include which, where a library may be used, who may print. Each rule is then
+# broken in a copy of the tree, to prove that breaking it is noticed.
+# usage: test_layers.sh [ROOT]   with a root: only the rules, on that tree
+set -u
+# shellcheck source=tests/system/tap.sh
+. "$(dirname "$0")/tap.sh"
+root=${1:-.}
+
+# Allowed: FOLDER: what it may include besides itself. The drivers in study/ put a whole run together, frames included,
+# so that cli/ is arguments and printing only.
+arrows='
+base:
+scene: base
+laws: base
+patch: base
+broad: base
+core: base scene laws broad
+out: base scene laws broad core
+draw: base scene laws patch core
+study: base scene laws patch core out draw
+cli: base scene laws patch broad core out draw study
+'
+sources() { find "$root/src" -name '*.[ch]' -o -name '*.cpp' -o -name '*.hpp' | sort; }
+
+# Every #include "folder/file" against the table.
+forbidden_includes() {
+    sources | xargs grep -n '^[[:space:]]*#[[:space:]]*include[[:space:]]*"' | awk -v arrows="$arrows" '
+        BEGIN {
+            n = split(arrows, line, "\n")
+            for (i = 1; i <= n; i++) {
+                m = split(line[i], word, "[: ]+")
+                if (word[1] != "") may[word[1], word[1]] = 1
+                for (k = 2; k <= m; k++) may[word[1], word[k]] = 1
+            }
+        }
+        {
+            from = $0; sub(/.*\/src\//, "", from); sub(/\/.*/, "", from)
+            to = $0; sub(/^[^"]*"/, "", to); sub(/".*/, "", to); sub(/\/.*/, "", to)
+            if (!((from, to) in may)) print
+        }'
+}
+
+# library PATTERN FOLDER: its headers elsewhere than in the folder
+library() {
+    sources | grep -v "/src/$2/" | xargs grep -nE "#[[:space:]]*include[[:space:]]*[<\"]($1)"
+}
+
+# Code without its comments, each line as FILE:LINE:TEXT.
+code_of() {
+    awk '
+        FNR == 1 { inside = 0 }
+        {
+            text = $0; kept = ""
+            while (text != "") {
+                if (inside) {
+                    at = index(text, "*/")
+                    if (!at) break
+                    text = substr(text, at + 2); inside = 0
+                } else {
+                    at = index(text, "/*")
+                    if (!at) { kept = kept text; break }
+                    kept = kept substr(text, 1, at - 1); text = substr(text, at + 2); inside = 1
+                }
+            }
+            sub(/\/\/.*/, "", kept)
+            print FILENAME ":" FNR ":" kept
+        }' "$@"
+}
+
+# snprintf and a file of results are fine; the terminal and the end of the program belong to cli/.
+printing() {
+    # shellcheck disable=SC2046 # no path here has spaces in it
+    code_of $(sources | grep -v '/src/cli/') |
+        grep -E '(^|[^A-Za-z0-9_])((v?printf|puts|putchar|perror|psignal|warnx?|errx?|exit|_exit|_Exit|quick_exit|abort)[[:space:]]*\(|(stdout|stderr)([^A-Za-z0-9_]|$))'
+}
+
+without_licence() { sources | xargs awk 'FNR == 1 && !/SPDX-License-Identifier: MIT/ { print FILENAME }'; }
+too_long() { sources | xargs wc -l | awk '$2 != "total" && $1 > 500'; }
+
+# Symbols of an archive or object in sections that can be written: neither constants nor relocated constants.
+mutable_globals() {
+    nm --format=sysv "$1" | awk -F'|' '
+        { gsub(/ /, "") }
+        $4 ~ /OBJECT|TLS|COMMON/ && $7 ~ /^(\.data|\.bss|\.tdata|\.tbss|\.sdata|\.sbss|\*COM\*|COM)/ && $7 !~ /^\.data\.rel\.ro/ &&
+        $1 !~ /^DW\.ref\./'
+}
+
+check 'folders include only what is below them' is_silent forbidden_includes
+check 'Cairo and libpng only in draw/' is_silent library 'cairo|png\.h|pango' draw
+check 'Box2D only in broad/' is_silent library 'box2d|b2_' broad
+check 'YAML and muParser only in scene/' is_silent library 'yaml|muParser' scene
+check 'jansson only in out/' is_silent library 'jansson' out
+check 'printing and exit only in cli/' is_silent printing
+check 'every source file names its licence' is_silent without_licence
+check 'no source file is longer than 500 lines' is_silent too_long
+[ $# -eq 1 ] && finish
+
+library_file=$(dirname "$TRUNDLE")/libtrundle.a
+[ -e "$library_file" ] || library_file=build/release/libtrundle.a
+if ! command -v nm >/dev/null || [ ! -e "$library_file" ]; then
+    skip 'no mutable globals outside cli/' 'no nm or no libtrundle.a'
+elif nm "$library_file" 2>/dev/null | grep -q __asan_; then
+    skip 'no mutable globals outside cli/' 'the address sanitizer adds its own'
+else
+    check 'no mutable globals outside cli/' is_silent mutable_globals "$library_file"
+fi
+
+# ---- each rule broken ----
+
+# broken RULE FILE LINE: with the line at the end of the file of a copy, the rule must fail, and no other
+broken() {
+    rm -rf "$work/copy"
+    mkdir "$work/copy"
+    cp -r src "$work/copy/"
+    chmod -R u+w "$work/copy"
+    printf '%s\n' "$3" >>"$work/copy/src/$2"
+    "$0" "$work/copy" >"$work/tap" 2>&1
+    says "$work/tap" 1..8 || return 1
+    failed=$(grep '^not ok' "$work/tap" | sed 's/^not ok [0-9]* - //')
+    equals "$failed" "$1"
+}
+check 'noticed: laws include core' broken 'folders include only what is below them' laws/laws.c '#include "core/world.h"'
+check 'noticed: core includes out' broken 'folders include only what is below them' core/step.c '#include "out/table.h"'
+check 'noticed: patch includes laws' broken 'folders include only what is below them' laws/laws.c '#include "patch/carter.h"'
+check 'noticed: out includes draw' broken 'folders include only what is below them' out/table.h '  #  include "draw/draw.h"'
+check 'noticed: a path that goes up' broken 'folders include only what is below them' base/alloc.c '#include "../core/world.h"'
+check 'noticed: Cairo in out' broken 'Cairo and libpng only in draw/' out/dir.c '#include <cairo.h>'
+check 'noticed: Box2D in core' broken 'Box2D only in broad/' core/step.c '#include <box2d/box2d.h>'
+check 'noticed: YAML in study' broken 'YAML and muParser only in scene/' study/run.c '#include <yaml.h>'
+check 'noticed: jansson in core' broken 'jansson only in out/' core/step.c '#include <jansson.h>'
+check 'noticed: printf in a law' broken 'printing and exit only in cli/' laws/laws.c 'void f(void) { printf("x"); }'
+check 'noticed: a message to stderr' broken 'printing and exit only in cli/' core/step.c 'void f(void) { fprintf(stderr, "x"); }'
+check 'noticed: exit in core' broken 'printing and exit only in cli/' core/step.c 'void f(void) { exit(1); }'
+check 'not taken for printing: a comment' broken '' core/step.c '/* printf("x") and exit(1) */'
+check 'not taken for printing: snprintf' broken '' core/step.c 'void f(char *s) { snprintf(s, 2, "x"); }'
+check 'noticed: a file of 600 lines' broken 'no source file is longer than 500 lines' base/version.h \
+    "$(awk 'BEGIN { for (i = 0; i < 600; i++) print "" } END { print "int x;" }' </dev/null)"
+
+licence_gone() {
+    rm -rf "$work/copy"
+    mkdir "$work/copy"
+    cp -r src "$work/copy/"
+    sed -i 1d "$work/copy/src/core/step.c"
+    "$0" "$work/copy" | grep '^not ok' | grep -q 'licence'
+}
+check 'noticed: a file without its licence' licence_gone
+
+global_noticed() {
+    printf 'int counter = 1; static int hidden[3]; const int fine = 2;\nstatic const char *const names[] = {"a", "b"};\n%s\n' \
+        'int f(int k) { return counter + hidden[k]++ + fine + *names[k]; }' >"$work/globals.c"
+    ${CC:-cc} -O1 -fPIE -c "$work/globals.c" -o "$work/globals.o" && equals "$(mutable_globals "$work/globals.o" | wc -l)" 2
+}
+check 'noticed: global and static variables' global_noticed
+finish

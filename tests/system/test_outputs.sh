@@ -1,0 +1,160 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# What a run writes: which files, their headers and keys, the same bytes every time, and what --force may touch.
+set -u
+# shellcheck source=tests/system/tap.sh
+. "$(dirname "$0")/tap.sh"
+cases=$PWD/cases
+cd "$work" || exit 1
+write_small_case small.yaml
+write_bodies_case bodies.yaml
+
+# ---- the cases that are shipped ----
+for case in "$cases"/*.yaml; do check "run --check passes $(basename "$case")" run_gives 0 --check "$case"; done
+check 'run --check writes nothing' not test -e out
+
+# ---- which files ----
+# What needs gnuplot or ffmpeg is listed only where they are.
+expected() {
+    echo case.yaml
+    [ "$1" = biaxial ] && command -v gnuplot >/dev/null && printf '%s\n' biaxial.svg biaxial.png
+    [ "$1" = biaxial ] && command -v gnuplot >/dev/null && echo plot.gp
+    [ "$2" -gt 0 ] && command -v ffmpeg >/dev/null && echo "$1.mp4"
+    i=0
+    while [ "$i" -lt "$2" ]; do
+        printf 'frames/%05d.png\n' "$i"
+        i=$((i + 1))
+    done
+    printf '%s\n' contacts.csv history.csv summary.json
+}
+writes() { # KIND FRAMES DIR
+    expected "$1" "$2" | sort >wanted
+    listing "$3" | diff wanted -
+}
+check 'a biaxial test runs' run_gives 0 small.yaml -o plain
+check 'it writes these files and no other' writes biaxial 0 plain
+check 'without frames there is no directory for them' not test -e plain/frames
+check 'with two frames it runs' run_gives 0 small.yaml -o framed --frames 2
+check 'and writes these files' writes biaxial 2 framed
+check 'frames change no number' cmp plain/history.csv framed/history.csv
+check 'bodies run' run_gives 0 bodies.yaml -o bodies --frames 3
+check 'and write these files' writes bodies 3 bodies
+check "one frame" run_gives 0 bodies.yaml -o one --frames 1
+is_png() { [ "$(head -c 8 "$1" | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a ]; }
+check 'a frame is a PNG' is_png framed/frames/00001.png
+check 'without -o results go to out/ and the name of the case' run_gives 0 bodies.yaml
+check 'there they are' test -e out/bodies/summary.json
+
+# ---- tables ----
+begins() {
+    head -n 1 "$1" | grep -q "^$2" || { head -n 1 "$1"; false; }
+}
+check 'header of history.csv' begins plain/history.csv \
+    'strain,stress_1_Pa,stress_2_Pa,sin_phi,void_ratio,n_contacts,coordination,sliding_fraction,rolling_share,'
+check 'header of contacts.csv' begins plain/contacts.csv 'time_s,strain,a,b,x_m,y_m,'
+for column in f_n_N_per_m f_t_N_per_m moment_a_N v_s_m_per_s v_r_m_per_s mobilisation; do
+    check "contacts.csv has $column" sh -c "head -n 1 plain/contacts.csv | tr , '\n' | grep -qx $column"
+done
+check 'rows as asked' equals "$(($(wc -l <plain/history.csv) - 1))" 20
+# Every line as many cells as the header, every cell a finite number.
+is_table() {
+    awk -F, 'NR == 1 { n = NF; next }
+        NF != n { print "line " NR ": " NF " cells, not " n; bad = 1 }
+        { for (i = 1; i <= NF; i++) if ($i !~ /^-?[0-9.]+(e[-+][0-9]+)?$/) { print "line " NR ": " $i; bad = 1 } }
+        END { exit bad || NR < 2 }' "$1"
+}
+for table in plain/history.csv plain/contacts.csv bodies/history.csv bodies/contacts.csv; do
+    check "$table holds finite numbers only" is_table "$table"
+done
+ends_at() { # the last strain is the asked one, overshot by less than a step
+    awk -F, 'END { exit !($1 >= 0.01 && $1 < 0.0101) }' "$1"
+}
+check 'the last row is at the end of the test' ends_at plain/history.csv
+check 'three instants of contacts, the last at the end' run_gives 0 small.yaml -o three --set output.contacts=3
+check 'they are three' equals "$(tail -n +2 three/contacts.csv | cut -d, -f1 | sort -u | wc -l)" 3
+check 'no contacts asked, no table' run_gives 0 small.yaml -o none --set output.contacts=0
+check 'it is not there' not test -e none/contacts.csv
+
+# ---- summary.json ----
+keys='version seed n_disks e0 e_residual sin_phi_peak sin_phi_residual inertial_number stiffness_ratio dt_s steps
+contact_updates energy_residual_over_work passes left_out timing'
+for key in $keys; do check "summary.json has $key" grep -q "\"$key\":" plain/summary.json; done
+check 'timing has wall_s' says plain/summary.json '"wall_s":'
+check 'timing has contact_updates_per_s' says plain/summary.json '"contact_updates_per_s":'
+if command -v jq >/dev/null; then
+    check 'summary.json is JSON' jq -e . plain/summary.json
+    check 'its numbers are numbers' jq -e '.n_disks == 60 and .seed == 3 and (.["e0"] | type) == "number" and
+        .["e0"] > 0.1 and .["e0"] < 0.4 and .stiffness_ratio == 1000 and .inertial_number == 0.002' plain/summary.json
+    check 'nothing is null' jq -e '[.. | select(. == null)] | length == 0' plain/summary.json
+else
+    for what in 'summary.json is JSON' 'its numbers are numbers' 'nothing is null'; do skip "$what" 'no jq'; done
+fi
+
+# ---- the same bytes ----
+without_timing() { sed '/"timing"/,/}/d' "$1"; }
+same() { # DIR DIR: all but the timing, the curves that gnuplot drew from the same numbers included
+    for file in $(listing "$1"); do
+        case $file in
+        summary.json)
+            without_timing "$1/$file" >left
+            without_timing "$2/$file" | cmp left - || return 1
+            ;;
+        *) cmp "$1/$file" "$2/$file" || return 1 ;;
+        esac
+    done
+    listing "$1" >left
+    listing "$2" | diff left -
+}
+check 'the same case again' run_gives 0 small.yaml -o again --frames 2
+check 'gives the same bytes' same framed again
+check 'the resolved case' run_gives 0 framed/case.yaml -o resolved
+check 'gives the same bytes' same framed resolved
+check 'the resolved case of bodies' run_gives 0 bodies/case.yaml -o bodies2
+check 'gives the same numbers' cmp bodies/history.csv bodies2/history.csv
+check '--frames is --set output.frames' run_gives 0 small.yaml -o set --set output.frames=2
+check 'same bytes' same framed set
+check '--seed' run_gives 0 small.yaml -o seed --seed 4
+check '--set seed' run_gives 0 small.yaml -o seed2 --set seed=4
+check 'same bytes' same seed seed2
+check 'another seed, another sample' not cmp -s plain/history.csv seed/history.csv
+check 'the seed is in the summary' says seed/summary.json '"seed": 4'
+check 'the last --set wins' run_gives 0 small.yaml -o last --seed 9 --seed 4
+check 'same bytes' same seed last
+check 'the largest seed' run_gives 0 bodies.yaml -o large --seed 18446744073709551615
+check 'comes through whole' says large/summary.json 18446744073709551615
+
+# ---- a finished run and --force ----
+before=$(cat framed/* framed/frames/* 2>/dev/null | cksum)
+check 'a finished run is refused' run_gives 3 small.yaml -o framed
+check 'the message names --force' says stderr '--force'
+check 'nothing changed' equals "$(cat framed/* framed/frames/* 2>/dev/null | cksum)" "$before"
+check 'five frames' run_gives 0 bodies.yaml -o forced --frames 5
+echo mine >forced/notes.txt
+echo mine >forced/frames/7.png
+touch forced/history.csv.part forced/frames/00009.png.part
+check 'then two with --force' run_gives 0 bodies.yaml -o forced --frames 2 --force
+check 'stale frames and parts are gone' equals "$(ls forced/frames | tr '\n' ' ')" '00000.png 00001.png 7.png '
+check 'no part is left' no_parts forced
+check 'foreign files are as they were' equals "$(cat forced/notes.txt forced/frames/7.png)" 'mine
+mine'
+check 'then none' run_gives 0 bodies.yaml -o forced --force
+check 'the foreign file in frames/ is still there' equals "$(ls forced/frames)" 7.png
+check 'a stale film is gone' not test -e forced/bodies.mp4
+rm forced/summary.json
+check 'an unfinished run is replaced without --force' run_gives 0 bodies.yaml -o forced
+mkdir own
+cp bodies.yaml own/case.yaml
+check 'a case is not written over by its own run' run_gives 3 own/case.yaml -o own --force
+check 'it is as it was' cmp bodies.yaml own/case.yaml
+check 'nor is anything else written' equals "$(ls own)" case.yaml
+
+# ---- more asked than there are steps ----
+check 'more rows than steps' run_gives 0 small.yaml -o few --set shear.strain_end=2e-5 --set output.contacts=1000 --frames 50
+check 'is said' says stderr 'note: the run has only'
+steps=$(sed -n 's/.*"steps": \([0-9]*\).*/\1/p' few/summary.json)
+check 'a row for each step and the start' equals "$(($(wc -l <few/history.csv) - 1))" "$((steps + 1))"
+check 'a frame for each' equals "$(ls few/frames | wc -l)" "$((steps + 1))"
+check 'contacts at each step' equals "$(tail -n +2 few/contacts.csv | cut -d, -f1 | sort -u | wc -l)" "$steps"
+check 'a table of contacts that never touch' run_gives 0 bodies.yaml -o apart --set gravity.y=0 --set disks.0.y=20mm
+check 'has its header' begins apart/contacts.csv 'time_s,a,b,'
+finish
