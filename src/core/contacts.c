@@ -11,9 +11,11 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Room for n contacts in the list and in the old one; what they hold is kept. */
+enum { BEHIND = 3 }; /* gather reads four contacts at a time: valid ids behind the end of the list */
+
+/* Room for n contacts in the list and in the old one, and BEHIND; what they hold is kept. */
 static bool group_reserve(tr_group *g, int n, tr_status *st) {
-    if (n <= g->capacity) return true;
+    if (n + BEHIND <= g->capacity) return true;
     size_t now = (size_t)g->n, old = (size_t)g->old_n, grown = (size_t)n + (size_t)n / 4 + TR_TILE;
     bool ok = tr_alloc_grow(&g->a, now, grown, sizeof(int), st) && tr_alloc_grow(&g->b, now, grown, sizeof(int), st) &&
               tr_alloc_grow(&g->old_a, old, grown, sizeof(int), st) &&
@@ -92,7 +94,7 @@ static bool refresh_walls(tr_world *world, tr_status *st) {
         for (int i = 0; i < world->disks.n; i++) {
             const double *pos = world->disks.pos + 4 * (size_t)i;
             if (tr_contacts_wall_distance(&world->wall[w], pos) - pos[3] >= world->thin_skin) continue;
-            if (g->n == g->capacity && !group_reserve(g, g->n + 1, st)) return false;
+            if (!group_reserve(g, g->n + 1, st)) return false;
             group_append(world, g, w, i, &old);
         }
     return true;
@@ -109,6 +111,7 @@ static bool refresh_disks(tr_world *world, tr_status *st) {
         double dx = q[0] - p[0], dy = q[1] - p[1], reach = p[3] + q[3] + world->thin_skin;
         if (dx * dx + dy * dy < reach * reach) group_append(world, g, a, b, &old);
     }
+    for (int k = 0; k < BEHIND && g->capacity; k++) g->a[g->n + k] = g->b[g->n + k] = 0;
     return true;
 }
 

@@ -67,9 +67,9 @@ static void step(tr_tile *tile, const tr_law_data *data) {
         law = tr_group_data(g, rolling);
         rolling->law->state(tile, &law, energy, bound);
         memset(lost, 0, sizeof lost);
-        for (int i = 0; i < n; i++) spin[i] = -tile->v1[i][2];
+        for (int i = 0; i < n; i++) spin[i] = -tile->w1[i];
         add_work(n, dt, tile->m1, spin, bound, h[M1], lost);
-        for (int i = 0; i < n; i++) spin[i] = -tile->v2[i][2];
+        for (int i = 0; i < n; i++) spin[i] = -tile->w2[i];
         add_work(n, dt, tile->m2, spin, bound, h[M2], lost);
         take_store(n, energy, h[E_ROLLING], lost);
         ledger->rolling += sum(n, lost);

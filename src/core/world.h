@@ -126,7 +126,6 @@ typedef struct tr_world {
     double wide_skin, thin_skin; /* [m] */
     double *wide_ref, *thin_ref; /* n*2: centres at the last search, at the last refresh [m] */
     double wall_moved;           /* how far any wall has moved since the last refresh, at most [m] */
-    double wall_moved_wide;      /* the same since the last search */
     bool fresh;                  /* laws were just set: nothing has moved since the histories were zero */
     bool stale;                  /* the list no longer holds every pair that may touch */
     int64_t searches, refreshes;

@@ -25,8 +25,8 @@ TR_VECTOR void tr_kinematics_pair(tr_tile *restrict tile, const tr_law_data *dat
     const double *restrict R1 = tile->R1, *restrict R2 = tile->R2, *restrict g1 = tile->g1;
     int touching = 0;
     for (int i = 0; i < tile->n; i++) {
-        double dx = tile->x21[i][0], dy = tile->x21[i][1], w1 = tile->v1[i][2], w2 = tile->v2[i][2];
-        double dvx = tile->v2[i][0] - tile->v1[i][0], dvy = tile->v2[i][1] - tile->v1[i][1];
+        double dx = tile->dx[i], dy = tile->dy[i], dvx = tile->dvx[i], dvy = tile->dvy[i];
+        double w1 = tile->w1[i], w2 = tile->w2[i];
         double L = sqrt(dx * dx + dy * dy), inv_L = 1.0 / L, nx = dx * inv_L, ny = dy * inv_L;
         double Vt = dvx * ny - dvy * nx, betadot = -Vt * inv_L;
         double delta = R1[i] + R2[i] - L, r1 = g1[i] * L, r2 = L - r1;
@@ -47,9 +47,8 @@ TR_VECTOR void tr_kinematics_wall(tr_tile *restrict tile, const tr_law_data *dat
     const double *restrict R2 = tile->R2;
     int touching = 0;
     for (int i = 0; i < tile->n; i++) {
-        double nx = tile->nx[i], ny = tile->ny[i], w2 = tile->v2[i][2];
-        double dvx = tile->v2[i][0] - tile->v1[i][0], dvy = tile->v2[i][1] - tile->v1[i][1];
-        double Vt = dvx * ny - dvy * nx, delta = R2[i] - tile->x21[i][0];
+        double nx = tile->nx[i], ny = tile->ny[i], dvx = tile->dvx[i], dvy = tile->dvy[i], w2 = tile->w2[i];
+        double Vt = dvx * ny - dvy * nx, delta = R2[i] - tile->dx[i];
         touching += delta > 0;
         tile->delta[i] = delta;
         tile->r1[i] = 0, tile->r2[i] = R2[i];

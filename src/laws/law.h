@@ -17,7 +17,6 @@
 #define TR_LAW_H
 
 #include "base/param.h"
-#include "base/vector.h"
 
 enum {
     TR_TILE = 64,    /* contacts in a tile, which then stays in the first-level cache */
@@ -26,16 +25,14 @@ enum {
 };
 
 typedef double tr_lane[TR_TILE] __attribute__((aligned(64)));
-typedef tr_quad tr_quads[TR_TILE] __attribute__((aligned(64)));
 
 typedef struct tr_tile {
     double dt;    /* of this step [s] */
     int first;    /* number of the tile's first contact in its group */
     int n;        /* contacts in this tile */
     int touching; /* of them with overlap > 0; counted by kinematics */
-    /* gather */
-    tr_quads x21;    /* x2 - x1: x, y [m]; two more that mean nothing */
-    tr_quads v1, v2; /* velocities of 1 and 2: vx, vy [m/s], spin [rad/s], 0 */
+    /* gather: x2 - x1 [m], v2 - v1 [m/s], spins of 1 and 2 [rad/s] */
+    tr_lane dx, dy, dvx, dvy, w1, w2;
     /* pair constants: radii [m] (R1 = 0 at a wall, which has no arm); g1 = R1/(R1+R2), 1 at a wall */
     const double *R1, *R2, *g1;
     /* kinematics */
@@ -51,6 +48,7 @@ typedef struct tr_tile {
     tr_lane f_elastic, f_n; /* elastic part of, and whole normal force, >= 0 [N/m] */
     tr_lane f_t;            /* friction Q: on body 2 it is -Q t [N/m] */
     tr_lane m1, m2;         /* rolling moments on 1 and on 2 [N] */
+    tr_lane f_r; /* force at the contact point of a law with TR_GIVES_F_R, like f_t: on body 2 it is -f_r t [N/m] */
     /* resultant: force on body 2, on 1 the opposite [N/m]; torques on 1 and 2 [N] */
     tr_lane fx, fy, q1, q2;
 } tr_tile;
@@ -64,25 +62,39 @@ typedef struct tr_law_data {
 
 typedef void tr_pass_run(tr_tile *tile, const tr_law_data *data);
 
-/* Two bodies that may touch: radii [m] (R1 = 0 at a wall) and masses [kg/m] (a wall's is infinite). */
+/* Two bodies that may touch: radii [m] (R1 = 0 at a wall) and masses [kg/m] (a wall's is infinite). f_n: for
+ * tr_law.stiffness alone, the greatest normal force to expect [N/m]. */
 typedef struct tr_pair_bodies {
-    double R1, R2, m1, m2;
+    double R1, R2, m1, m2, f_n;
 } tr_pair_bodies;
 
 /* Greatest stiffness and damping that a law can show in its own coordinate (overlap, sliding, rolling distance), for
- * the bound on the step: k [Pa], c [Pa s]. lever1, lever2: moment on 1 and 2 per unit of its quasi-force [m] (rolling).
- */
+ * the bound on the step: k [Pa], c [Pa s]. Rolling: V_r = lever1 w1 - lever2 w2 + along Vt; levers [m], along [1]. A
+ * law of angles has levers 1, k [N] and c [N s]. */
 typedef struct tr_stiffness {
-    double k, c, lever1, lever2;
+    double k, c, lever1, lever2, along;
 } tr_stiffness;
 
 typedef enum tr_needs {
     TR_NEEDS_V_R = 1, /* the rolling velocity of the scene's definition */
+    TR_GIVES_F_R = 2, /* a rolling law that also pulls along t: the pipeline ends with tr_resultant_rolling_force */
 } tr_needs;
+
+/* What a law claims, at its default options. tests/laws/test_claims.c shows each claim to hold, and to fail where it is
+ * not made. */
+typedef enum tr_claims {
+    TR_RATE_INDEPENDENT = 1, /* the path counts, not the speed along it */
+    TR_OBJECTIVE = 2,        /* the same for an observer who moves or turns; nothing in a rigid rotation */
+    TR_BALANCED = 4,         /* changes neither momentum nor angular momentum of the two bodies together */
+    TR_ENERGY_CLOSED = 8,    /* no closed cycle gains energy from it, at constant or changing normal force */
+} tr_claims;
 
 typedef struct tr_law {
     tr_param_table table; /* name, doc, parameters */
     const char *source;   /* e.g. "[Wang2015 eq. 28]" */
+    const char *formula;  /* as `trundle laws NAME` prints it; lines end in \n but the last */
+    const char *differs;  /* what differs from the source as printed; NULL: nothing */
+    unsigned claims;      /* tr_claims */
     int n_hist;           /* doubles of history per contact; all zero when a contact forms */
     int n_pair;           /* pair constants per contact */
     unsigned needs;       /* tr_needs */
@@ -91,8 +103,8 @@ typedef struct tr_law {
     /* One step over the tile. Where the bodies do not touch all outputs are 0 and the history is forgotten. NULL: law
      * "none". */
     tr_pass_run *step;
-    /* For the sinks, after step: energy in the contacts [N], and the bound on |f_t| [N/m] or |m1| [N]. NULL with step.
-     */
+    /* For the sinks, after step: energy in the contacts [N], and the bound on |f_t| [N/m] or on the larger of
+     * |m1|, |m2| [N]. NULL with step. */
     void (*state)(const tr_tile *tile, const tr_law_data *data, double *energy, double *bound);
     tr_stiffness (*stiffness)(const void *par, const tr_pair_bodies *bodies);
 } tr_law;
@@ -114,8 +126,9 @@ const tr_param_catalog *tr_laws_catalog(void);
 /* The passes that every scene has; they use no data. */
 tr_pass_run tr_kinematics_pair; /* two disks */
 tr_pass_run
-    tr_kinematics_wall; /* body 1 is a plane: gather writes nx, ny, and the distance of the centre into x21[i][0] */
+    tr_kinematics_wall; /* body 1 is a plane: gather writes nx, ny, and the distance of the centre into dx */
 tr_pass_run tr_resultant_central; /* normal force alone: no torque */
 tr_pass_run tr_resultant_full;
+tr_pass_run tr_resultant_rolling_force; /* the same, with the force f_r of the rolling law */
 
 #endif

@@ -2,23 +2,28 @@
 /* The registry: one row per law. To add a law, write one file like friction_coulomb_spring.c and add its row here. */
 #include "laws/law.h"
 
-extern const tr_law tr_normal_linear, tr_friction_coulomb_spring, tr_rolling_wang_spring;
+extern const tr_law tr_normal_linear, tr_friction_coulomb_spring, tr_friction_dahlberg_alfredsson,
+    tr_rolling_wang_spring;
 
-static const tr_law no_friction = {.table = {.name = "none", .doc = "no friction"}};
-static const tr_law no_rolling = {.table = {.name = "none", .doc = "no rolling resistance"}};
+enum { ALL_CLAIMS = TR_RATE_INDEPENDENT | TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED };
+static const tr_law no_friction = {
+    .table = {.name = "none", .doc = "no friction"}, .formula = "Q = 0", .claims = ALL_CLAIMS};
+static const tr_law no_rolling = {
+    .table = {.name = "none", .doc = "no rolling resistance"}, .formula = "no moments", .claims = ALL_CLAIMS};
 
 const tr_law *const tr_laws_normal[] = {&tr_normal_linear};
-const tr_law *const tr_laws_friction[] = {&tr_friction_coulomb_spring, &no_friction};
+const tr_law *const tr_laws_friction[] = {&tr_friction_coulomb_spring, &tr_friction_dahlberg_alfredsson, &no_friction};
 const tr_law *const tr_laws_rolling[] = {&tr_rolling_wang_spring, &no_rolling};
 
-enum { N_NORMAL = 1, N_FRICTION = 2, N_ROLLING = 2 };
+enum { N_NORMAL = 1, N_FRICTION = 3, N_ROLLING = 2 };
 _Static_assert(sizeof tr_laws_normal == N_NORMAL * sizeof(tr_law *), "count of the normal laws");
 _Static_assert(sizeof tr_laws_friction == N_FRICTION * sizeof(tr_law *), "count of the friction laws");
 _Static_assert(sizeof tr_laws_rolling == N_ROLLING * sizeof(tr_law *), "count of the rolling laws");
 
 /* The scene reader sees parameters, not laws. */
 static const tr_param_table *const normal_tables[] = {&tr_normal_linear.table};
-static const tr_param_table *const friction_tables[] = {&tr_friction_coulomb_spring.table, &no_friction.table};
+static const tr_param_table *const friction_tables[] = {&tr_friction_coulomb_spring.table,
+                                                        &tr_friction_dahlberg_alfredsson.table, &no_friction.table};
 static const tr_param_table *const rolling_tables[] = {&tr_rolling_wang_spring.table, &no_rolling.table};
 
 const tr_param_catalog *tr_laws_catalog(void) {

@@ -55,6 +55,9 @@ static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *bodies) {
 const tr_law tr_normal_linear = {
     .table = {"linear", "linear spring and dashpot, no attraction", params, sizeof params / sizeof *params},
     .source = "[Cundall1979]",
+    .formula = "f_n = max(0, k_n delta + c v_n), c = 2 damping_ratio sqrt(k_n m_eff), m_eff = m1 m2/(m1 + m2)",
+    .differs = "The force of the dashpot never pulls: a contact ends when f_n reaches 0, not when the overlap does.",
+    .claims = TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
     .n_pair = 1,
     .pair = pair,
     .step = step,

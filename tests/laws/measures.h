@@ -60,11 +60,11 @@ static inline measured measure(motion p) {
     t->n = PROBE + 1, t->R1 = test_R1, t->R2 = test_R2, t->g1 = test_g1;
     for (int i = 0; i <= PROBE; i++) { /* the others: anything */
         test_R1[i] = 1 + 0.1 * i, test_R2[i] = 2, test_g1[i] = test_R1[i] / (test_R1[i] + 2);
-        t->x21[i] = (tr_quad){0.5 * i, 1.5, 0, 0}, t->v1[i] = (tr_quad){i, 1, 2, 0}, t->v2[i] = (tr_quad){1, i, -3, 0};
+        t->dx[i] = 0.5 * i, t->dy[i] = 1.5, t->dvx[i] = 1 - i, t->dvy[i] = i - 1, t->w1[i] = 2, t->w2[i] = -3;
     }
     test_R1[PROBE] = p.R1, test_R2[PROBE] = p.R2, test_g1[PROBE] = p.R1 / (p.R1 + p.R2);
-    t->x21[PROBE] = (tr_quad){p.x2 - p.x1, p.y2 - p.y1, 0, 0};
-    t->v1[PROBE] = (tr_quad){p.vx1, p.vy1, p.w1, 0}, t->v2[PROBE] = (tr_quad){p.vx2, p.vy2, p.w2, 0};
+    t->dx[PROBE] = p.x2 - p.x1, t->dy[PROBE] = p.y2 - p.y1;
+    t->dvx[PROBE] = p.vx2 - p.vx1, t->dvy[PROBE] = p.vy2 - p.vy1, t->w1[PROBE] = p.w1, t->w2[PROBE] = p.w2;
     tr_kinematics_pair(t, NULL);
     return read_lane(PROBE);
 }
@@ -77,8 +77,7 @@ static inline measured measure_wall(double R, double distance, double nx, double
     t->n = PROBE + 1, t->R1 = test_R1, t->R2 = test_R2, t->g1 = test_g1;
     for (int i = 0; i <= PROBE; i++) test_R1[i] = 0, test_R2[i] = 3, test_g1[i] = 1, t->nx[i] = 0.6, t->ny[i] = 0.8;
     test_R2[PROBE] = R, t->nx[PROBE] = nx, t->ny[PROBE] = ny;
-    t->x21[PROBE] = (tr_quad){distance, 0, 0, 0};
-    t->v1[PROBE] = (tr_quad){wx, wy, 0, 0}, t->v2[PROBE] = (tr_quad){vx, vy, w, 0};
+    t->dx[PROBE] = distance, t->dvx[PROBE] = vx - wx, t->dvy[PROBE] = vy - wy, t->w2[PROBE] = w;
     tr_kinematics_wall(t, NULL);
     return read_lane(PROBE);
 }

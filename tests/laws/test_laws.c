@@ -165,7 +165,7 @@ static void caps(const tr_law *normal, const tr_law *friction, const tr_law *rol
                 before[i] = t->f_t[i];
             }
         }
-        if (rolling->step) {
+        if (rolling->needs & TR_NEEDS_V_R) { /* the others: test_star.c, test_claims.c */
             tr_law_data d = data_of(2);
             rolling->state(t, &d, energy, bound);
             for (int i = 0; i < TR_TILE; i++) {
@@ -197,7 +197,7 @@ static void test_spring_and_slider(void **state) {
     const tr_param_catalog *c = tr_laws_catalog();
     for (int f = 0; f < c->n_friction; f++)
         for (int r = 0; r < c->n_rolling; r++) {
-            if (!tr_laws_friction[f]->step || !tr_laws_rolling[r]->step) continue;
+            if (!tr_laws_friction[f]->step || !(tr_laws_rolling[r]->needs & TR_NEEDS_V_R)) continue;
             set_up(tr_laws_normal[0], tr_laws_friction[f], tr_laws_rolling[r]);
             double path = 0;
             for (int step = 1; step <= 300; step++) {
@@ -276,10 +276,8 @@ static double cycle_work(const char *velocity, double R1, double R2, double L, d
             double Vt = (k / parts == 0) - (k / parts == 2), w1 = (k / parts == 1) - (k / parts == 3);
             Vt *= du / (parts * B.dt), w1 *= dth / (parts * B.dt);
             /* n = (1, 0), t = (0, -1) */
-            B.tile.x21[5] = (tr_quad){L, 0, 0, 0}, B.tile.v1[5] = (tr_quad){0, 0, w1, 0};
-            B.tile.v2[5] = (tr_quad){0, -Vt, 0, 0};
-            for (int i = 0; i < TR_TILE; i++)
-                if (i != 5) B.tile.x21[i] = (tr_quad){3, 0, 0, 0};
+            for (int i = 0; i < TR_TILE; i++) B.tile.dx[i] = i == 5 ? L : 3;
+            B.tile.dvy[5] = -Vt, B.tile.w1[5] = w1;
             tr_kinematics_pair(&B.tile, NULL);
             for (int v = 0; v < tr_n_rolling_velocities; v++)
                 if (!strcmp(tr_rolling_velocities[v].name, velocity)) tr_rolling_velocities[v].step(&B.tile, NULL);
@@ -313,7 +311,7 @@ static void test_stiffness_is_what_the_law_shows(void **state) {
     const tr_param_catalog *c = tr_laws_catalog();
     for (int f = 0; f < c->n_friction; f++)
         for (int r = 0; r < c->n_rolling; r++) {
-            if (!tr_laws_friction[f]->step || !tr_laws_rolling[r]->step) continue;
+            if (!tr_laws_friction[f]->step || !(tr_laws_rolling[r]->needs & TR_NEEDS_V_R)) continue;
             set_up(tr_laws_normal[0], tr_laws_friction[f], tr_laws_rolling[r]);
             for (int i = 0; i < TR_TILE; i++)
                 B.tile.delta[i] = 0.1 * B.R2[i], B.tile.v_n[i] = 0, B.tile.v_s[i] = 1e-3, B.tile.v_r[i] = 1e-3;
@@ -344,10 +342,12 @@ static void check_slot(const tr_law *const *laws, const tr_param_table *const *t
         assert_ptr_equal(&laws[i]->table, tables[i]);
         assert_non_null(laws[i]->table.name);
         assert_true(laws[i]->table.doc && strlen(laws[i]->table.doc) > 4);
+        assert_true(laws[i]->formula && strlen(laws[i]->formula) > 4);
         assert_true(laws[i]->n_hist <= TR_MAX_HIST && laws[i]->n_pair <= TR_MAX_PAIR);
         assert_int_equal(laws[i]->n_pair > 0, laws[i]->pair != NULL);
         if (laws[i]->step) {
-            assert_true(laws[i]->state && laws[i]->stiffness && laws[i]->source);
+            assert_true(laws[i]->state && laws[i]->stiffness && laws[i]->source && laws[i]->source[0] == '[');
+            assert_true(!laws[i]->differs || strlen(laws[i]->differs) > 20);
         } else {
             assert_string_equal(laws[i]->table.name, "none");
             assert_int_equal(laws[i]->n_hist + laws[i]->n_pair + laws[i]->table.n, 0);

@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: MIT */
+/* Friction that rolling relaxes: a capped tangential spring less the creep of a rolling line contact. Source
+ * [Dahlberg2009], as [Kuhn2014 eq. 11]; creep function [Carter1926].
+ *
+ *   dQ = k_t (du_disp - sgn(Q) F(|Q|/(mu P)) |du_roll|),   |Q| <= mu P
+ *   F(q) = F0 (1 - sqrt(1 - q)),   F0 = mu a/R,   a = sqrt(4 P R/(pi E*)),   1/R = 1/R1 + 1/R2
+ *
+ * du_disp = Vs dt, P = f_n, a from the P of now. du_roll: Kuhn's mean flow of material (s1 + s2)/2 dt, or V_r dt of
+ * Wang.
+ *
+ * One step is backward Euler in closed form. With M = mu P, A = Q + k_t du_disp and C = k_t F0 |du_roll| the unknown is
+ * |Q| = M w (2 - w), w = 1 - sqrt(1 - q) in [0, 1], of the sign of A:
+ *
+ *   M w (2 - w) + C w = |A|   =>   w = 2 |A|/(2 M + C + sqrt(C^2 + 4 M (M + C - |A|)))   while |A| < M + C, else w = 1
+ *
+ * Inside the cap and stable for any step. Q of the step before enters as it was, even above the cap of now: the step
+ * does the only capping.
+ *
+ * differs: eq. 11 as printed has no signs (wrong where Q < 0 or rolling turns back) and is 0/0 at du_disp = 0.
+ *
+ * History: Q [N/m]. du_roll = 0: coulomb-spring. P -> 0: a = 0 and Q = 0. Wall: R = R2, material rolls with
+ * (Vt - R2 w)/2. Energy Q^2/2 k_t; creep dissipates |Q| F |du_roll|.
+ */
+#include "base/vector.h"
+#include "laws/law.h"
+
+#include <math.h>
+
+typedef struct par {
+    double mu, k_t, E_star;
+    int creep_roll;
+} par;
+
+static const tr_param params[] = {
+    {"mu", TR_REAL, TR_DIM_NUMBER, "1", NULL, 0, 100, NULL, offsetof(par, mu), "friction coefficient"},
+    {"k_t", TR_REAL, TR_DIM_STIFFNESS, "Pa", "0.5*k_n", 1e-3, 1e15, NULL, offsetof(par, k_t), "tangential stiffness"},
+    {"E_star", TR_REAL, TR_DIM_STIFFNESS, "Pa", NULL, 1e-3, 1e15, NULL, offsetof(par, E_star),
+     "contact modulus, 1/E_star = sum of (1 - nu^2)/E of the two; sets the contact width"},
+    {"creep_roll", TR_CHOICE, TR_DIM_NUMBER, "", "kuhn", 0, 0, "kuhn|wang", offsetof(par, creep_roll),
+     "rolling that creeps: kuhn (s1 + s2)/2, the mean flow of material; wang R1R2/(R1+R2) (w1 - w2)"},
+};
+
+TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict data) {
+    const par *p = data->par;
+    const double mu = p->mu, k_dt = p->k_t * tile->dt;
+    const double creep = mu * k_dt * sqrt(4 / (M_PI * p->E_star)); /* C = creep sqrt(P/R) |v_roll| */
+    const double wang = p->creep_roll ? 1 : 0;                     /* weight of s2: 1/2 for kuhn, g1 for wang */
+    const double *restrict R2 = tile->R2, *restrict g1 = tile->g1;
+    double *restrict Q = data->hist[0] + tile->first;
+    for (int i = 0; i < tile->n; i++) {
+        double P = tile->f_n[i], M = mu * P, weight = 0.5 + wang * (g1[i] - 0.5);
+        double v_roll = (1 - weight) * tile->s1[i] + weight * tile->s2[i];
+        double C = creep * sqrt(P / (g1[i] * R2[i])) * fabs(v_roll);
+        double A = Q[i] + k_dt * tile->v_s[i], room = M + C - fabs(A);
+        double inside = room > 0 ? room : 0, below = 2 * M + C + sqrt(C * C + 4 * M * inside);
+        double w = 2 * fabs(A) / (below > 0 ? below : 1), size = room > 0 ? M * (w * (2 - w)) : M;
+        size = A < 0 ? -size : size;
+        Q[i] = size;
+        tile->f_t[i] = size;
+    }
+}
+
+static void state(const tr_tile *tile, const tr_law_data *data, double *energy, double *bound) {
+    const par *p = data->par;
+    for (int i = 0; i < tile->n; i++) {
+        energy[i] = tile->f_t[i] * tile->f_t[i] / (2 * p->k_t);
+        bound[i] = p->mu * tile->f_n[i];
+    }
+}
+
+static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *bodies) {
+    const par *p = par_;
+    (void)bodies;
+    return (tr_stiffness){.k = p->mu > 0 ? p->k_t : 0};
+}
+
+const tr_law tr_friction_dahlberg_alfredsson = {
+    .table = {"dahlberg-alfredsson", "capped spring that creeps while the bodies roll", params,
+              sizeof params / sizeof *params},
+    .source = "[Dahlberg2009] [Kuhn2014 eq. 11] [Carter1926]",
+    .formula = "dQ = k_t (Vs dt - sgn(Q) F(|Q|/(mu P)) |du_roll|), |Q| <= mu P, P = f_n\n"
+               "F(q) = (mu a/R) (1 - sqrt(1 - q)), a = sqrt(4 P R/(pi E_star)), 1/R = 1/R1 + 1/R2\n"
+               "one step is backward Euler in closed form",
+    .differs = "Eq. 11 is printed without signs (wrong where Q < 0 or rolling turns back) and is 0/0 where nothing "
+               "slides.",
+    .claims = TR_RATE_INDEPENDENT | TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
+    .n_hist = 1,
+    .step = step,
+    .state = state,
+    .stiffness = stiffness,
+};
