@@ -14,7 +14,8 @@ FLAGS := -Isrc -Itests -Wall -Wextra -Wpedantic -ffp-contract=off -MMD -MP $(she
 # -fno-math-errno -fno-trapping-math let square roots and comparisons become vector code; they change no value.
 C_FLAGS   := -std=c17 -D_GNU_SOURCE -fno-math-errno -fno-trapping-math $(FLAGS) $(CFLAGS)
 CXX_FLAGS := -std=c++17 $(FLAGS) $(CFLAGS)
-LIBS  := $(shell pkg-config --libs $(PKGS) 2>/dev/null) -lm
+# libcsv has no pkg-config file.
+LIBS  := $(shell pkg-config --libs $(PKGS) 2>/dev/null) -lcsv -lm
 
 LIB_SRC  := $(filter-out src/cli/%,$(wildcard src/*/*.c)) $(wildcard src/*/*.cpp)
 CLI_SRC  := $(wildcard src/cli/*.c)

@@ -39,17 +39,12 @@ static const char default_case[] = "kind: biaxial\n"
                                    "contact: {k_n: 160 MPa, mu: 0.5, mu_r: 0.5}\n"
                                    "compaction: {pressure: 160 kPa}\n";
 
-static bool measure(const arguments *a, tr_bench_report *report, tr_status *st) {
-    tr_scene scene;
-    bool ok = a->file ? tr_scene_read_file(&scene, a->file, a->set, a->n_set, tr_laws_catalog(), st)
-                      : tr_scene_read(&scene, "(default case)", default_case, sizeof default_case - 1, a->set, a->n_set,
+static bool read_case(const arguments *a, tr_scene *scene, tr_status *st) {
+    bool ok = a->file ? tr_scene_read_file(scene, a->file, a->set, a->n_set, tr_laws_catalog(), st)
+                      : tr_scene_read(scene, "(default case)", default_case, sizeof default_case - 1, a->set, a->n_set,
                                       tr_laws_catalog(), st);
-    if (!ok) return false;
-    if (scene.kind == TR_KIND_BIAXIAL)
-        ok = tr_bench(&scene, NULL, report, st);
-    else
+    if (ok && scene->kind != TR_KIND_BIAXIAL)
         ok = tr_status_fail(st, TR_BAD_CASE, "error: bench needs a case of kind: biaxial");
-    tr_scene_free(&scene);
     return ok;
 }
 
@@ -77,12 +72,16 @@ int tr_cli_bench(int argc, char **argv) {
     argv[0] = "trundle bench";
     argp_parse(&argp, argc, argv, 0, NULL, &a);
     tr_status st = {0};
-    tr_bench_report whole = {0}, without = {0};
-    if (!measure(&a, &whole, &st)) return tr_cli_fail(&st);
-    print_table("as given", &whole);
+    tr_scene scene[2] = {0};
+    tr_bench_report report[2];
+    bool ok = read_case(&a, &scene[0], &st);
     a.set[a.n_set++] = "contact.rolling=none";
-    if (!measure(&a, &without, &st)) return tr_cli_fail(&st);
-    print_table("without rolling resistance", &without);
-    printf("%.1f M contact updates/s\n", whole.updates_per_s / 1e6);
+    ok = ok && read_case(&a, &scene[1], &st) &&
+         tr_bench((const tr_scene *const[]){&scene[0], &scene[1]}, 2, report, &st);
+    tr_scene_free(&scene[0]), tr_scene_free(&scene[1]);
+    if (!ok) return tr_cli_fail(&st);
+    print_table("as given", &report[0]);
+    print_table("without rolling resistance", &report[1]);
+    printf("%.1f M contact updates/s\n", report[0].updates_per_s / 1e6);
     return TR_OK;
 }

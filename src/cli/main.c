@@ -13,7 +13,9 @@ static const struct command {
     int (*run)(int argc, char **argv);
 } commands[] = {
     {"run", "run a case file: trundle run cases/biaxial.yaml -o out/biaxial", tr_cli_run},
+    {"laws", "list the contact laws, or tell all about one: trundle laws wang-spring", tr_cli_laws},
     {"bench", "measure the speed of the contact loop on a sheared sample", tr_cli_bench},
+    {"measures", "rolling and sliding by every definition: a card of pure motions, or a CSV file", tr_cli_measures},
 };
 enum { N_COMMANDS = sizeof commands / sizeof *commands };
 
@@ -22,7 +24,7 @@ static int usage(FILE *to, int code) {
             "trundle %s: disks that roll and slide (2D DEM for teaching and for verifying contact laws)\n\n"
             "usage: trundle COMMAND [OPTION...]\n\n",
             TR_VERSION);
-    for (int k = 0; k < N_COMMANDS; k++) fprintf(to, "  %-6s %s\n", commands[k].name, commands[k].doc);
+    for (int k = 0; k < N_COMMANDS; k++) fprintf(to, "  %-8s %s\n", commands[k].name, commands[k].doc);
     fputs("\n  trundle COMMAND --help     options of a command\n  trundle --version\n\n"
           "exit: 0 done, 1 a check failed, 2 usage or case, 3 files, 4 numerical failure, 130 interrupted\n",
           to);

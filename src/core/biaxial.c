@@ -13,7 +13,7 @@
 /* Soft modes of a frictionless packing are hardly damped by the dashpots; a weak drag against the frame ends them, and
  * halves the steps of compaction. Small enough that the drag on a row of moving disks stays well below the pressure.
  * Off in the shear. */
-static const double DRAG = 0.01; /* of sqrt(k_n / mean mass) */
+static const double DRAG = 0.005; /* of sqrt(k_n / mean mass) */
 
 /* Lengths of the walls, and what pushes the pistons, follow the box. */
 static void fit_walls(tr_biaxial *b, double horizontal, double lateral) {
@@ -33,10 +33,8 @@ static tr_scene_contact compaction_laws(const tr_scene *scene) {
         if (!tr_laws_rolling[i]->step) c.rolling.law = i;
     for (int i = 0; mu == 0 && i < tr_laws_catalog()->n_friction; i++)
         if (!tr_laws_friction[i]->step) c.friction.law = i;
-    const tr_param_table *table = &tr_laws_friction[c.friction.law]->table;
-    for (int k = 0; k < table->n; k++)
-        if (!strcmp(table->params[k].key, "mu"))
-            memcpy((char *)c.friction.par + table->params[k].offset, &mu, sizeof mu);
+    double *friction_mu = tr_slot_value(tr_laws_friction[c.friction.law], c.friction.par, "mu");
+    if (friction_mu) *friction_mu = mu;
     return c;
 }
 
@@ -52,6 +50,13 @@ bool tr_biaxial_init(tr_biaxial *b, const tr_scene *scene, tr_status *st) {
     double side, radius_sum = 0, mass = 0;
     int n = scene->sample.disks;
     *b = (tr_biaxial){.scene = scene};
+    const tr_scene_law *friction = &scene->contact.friction;
+    double par[TR_LAW_PAR];
+    if (scene->compaction.mu > 0 && !tr_slot_value(tr_laws_friction[friction->law], par, "mu"))
+        return tr_status_fail(
+            st, TR_BAD_CASE,
+            "error: compaction.mu = %g needs a friction law with a coefficient mu, not contact.friction: %s",
+            scene->compaction.mu, tr_laws_friction[friction->law]->table.name);
     if (!tr_world_init(&b->world, n, st)) return false;
     if (!tr_sample_throw(&b->world, &scene->sample, scene->seed, &side, st)) return tr_biaxial_free(b), false;
     b->disk_area = tr_measures_disk_area(&b->world.disks);
@@ -68,13 +73,13 @@ bool tr_biaxial_init(tr_biaxial *b, const tr_scene *scene, tr_status *st) {
     }
     b->world.n_walls = 4;
     tr_scene_contact laws = compaction_laws(scene);
-    /* One step for both stages, from the stiffer one. */
+    /* One step for both stages; a violation in the compaction would be seen. */
     bool ok = tr_world_set_laws(&b->world, &scene->contact, scene->shear.walls == 0, 0, st) &&
               tr_timestep_choose(&b->world, &scene->step, 0, &b->dt_bound, st) &&
               tr_world_set_laws(&b->world, &laws, true, 0, st);
     if (!ok) return tr_biaxial_free(b), false;
     const tr_slot *normal = &b->world.group[0].slot[TR_NORMAL];
-    tr_pair_bodies twins = {radius_sum / n, radius_sum / n, b->mean_mass, b->mean_mass};
+    tr_pair_bodies twins = {radius_sum / n, radius_sum / n, b->mean_mass, b->mean_mass, 0};
     if (closing_steps(b) > MOST_STEPS) {
         tr_status_fail(
             st, TR_BAD_CASE,
@@ -137,7 +142,12 @@ bool tr_biaxial_begin_shear(tr_biaxial *b, tr_status *st) {
     b->height0 = w[TR_TOP_WALL].y - w[TR_BOTTOM_WALL].y;
     b->rate = shear->inertial_number * sqrt(shear->lateral_pressure / b->mean_mass);
     b->shear_start = b->world.steps;
-    b->shear_steps = (int64_t)ceil(shear->strain_end / (b->rate * b->world.dt));
+    double shear_steps = ceil(shear->strain_end / (b->rate * b->world.dt));
+    if (!(shear_steps <= TR_MOST_STEPS))
+        return tr_status_fail(st, TR_BAD_CASE,
+                              "error: the shear would take %.1e steps; give a larger shear.inertial_number",
+                              shear_steps);
+    b->shear_steps = (int64_t)shear_steps;
     for (int k = 0; k < 4; k++) w[k].v_max = INFINITY;
     for (int k = TR_BOTTOM_WALL; k <= TR_TOP_WALL; k++) {
         w[k].mass = 0;

@@ -26,15 +26,25 @@ static bool fill(tr_world *world, const tr_scene *scene, tr_status *st) {
     return true;
 }
 
+static bool choose_step(tr_bodies *b, const tr_scene *scene, tr_status *st) {
+    tr_world *world = &b->world;
+    double plenty = scene->time_end / 10000; /* where nothing that may touch can vibrate */
+    if (!tr_timestep_choose(world, &scene->step, plenty, &b->dt_bound, st)) return false;
+    double steps = ceil(scene->time_end / world->dt - 1e-9);
+    if (!(steps <= TR_MOST_STEPS))
+        return tr_status_fail(st, TR_BAD_CASE, "error: time_end would take %.1e steps; give a larger step.dt", steps);
+    b->steps = (int64_t)steps;
+    if (scene->step.dt == 0) world->dt = scene->time_end / steps; /* the last step ends at time_end */
+    return true;
+}
+
 bool tr_bodies_init(tr_bodies *b, const tr_scene *scene, tr_status *st) {
     tr_world *world = &b->world;
     *b = (tr_bodies){0};
-    double plenty = scene->time_end / 10000; /* the step when nothing can vibrate because every motion is prescribed */
     bool ok = tr_world_init(world, scene->n_disks, st) && fill(world, scene, st) &&
-              tr_world_set_laws(world, &scene->contact, false, TR_SINK_ARCS, st) &&
-              tr_timestep_choose(world, &scene->step, plenty, &b->dt_bound, st) && tr_step_forces(world, st);
+              tr_world_set_laws(world, &scene->contact, false, TR_SINK_ARCS, st) && choose_step(b, scene, st) &&
+              tr_step_forces(world, st);
     if (!ok) return tr_bodies_free(b), false;
-    b->steps = (int64_t)ceil(scene->time_end / world->dt - 1e-9);
     for (int k = 0; k < 4 * world->disks.n; k++)
         world->disks.vel[k] -= 0.5 * world->dt * world->disks.inv[k] * world->disks.force[k];
     world->fresh = true;

@@ -52,7 +52,7 @@ static void group_append(tr_world *world, tr_group *g, int a, int b, int *old) {
     g->a[i] = a, g->b[i] = b;
     double R1 = g->walls ? 0 : d->pos[4 * (size_t)a + 3], R2 = d->pos[4 * (size_t)b + 3];
     g->pair[0][i] = R1, g->pair[1][i] = R2, g->pair[2][i] = g->walls ? 1 : R1 / (R1 + R2);
-    tr_pair_bodies bodies = {R1, R2, g->walls ? INFINITY : d->mass[a], d->mass[b]};
+    tr_pair_bodies bodies = {R1, R2, g->walls ? INFINITY : d->mass[a], d->mass[b], 0};
     for (int s = 0; s < TR_N_SLOTS; s++) {
         const tr_slot *slot = &g->slot[s];
         double constants[TR_MAX_PAIR];
@@ -136,7 +136,6 @@ static void name_contact(const tr_group *g, int i, char *text, size_t size) {
 }
 
 static bool check_contacts(const tr_world *world, tr_status *st) {
-    const double largest_overlap = 0.3; /* of the smaller radius: beyond it no contact law means anything */
     char which[96], what[160];
     for (int k = 0; k < 2; k++) {
         const tr_group *g = &world->group[k];
@@ -150,7 +149,7 @@ static bool check_contacts(const tr_world *world, tr_status *st) {
                 delta = p[3] + q[3] - sqrt((q[0] - p[0]) * (q[0] - p[0]) + (q[1] - p[1]) * (q[1] - p[1]));
                 R = fmin(R, p[3]);
             }
-            if (delta > largest_overlap * R) {
+            if (delta > TR_LARGEST_OVERLAP * R) {
                 name_contact(g, i, which, sizeof which);
                 snprintf(what, sizeof what, "overlap %.3g m is above 0.3 of the radius %.3g m", delta, R);
                 return fail_at(world, st, what, which);
@@ -166,12 +165,26 @@ static bool check_contacts(const tr_world *world, tr_status *st) {
     return true;
 }
 
+/* A disk that leaps in one step could pass through another one unseen. */
+static bool check_leap(const tr_world *world, tr_status *st) {
+    for (int i = 0; i < world->disks.n; i++) {
+        const double *v = world->disks.vel + 4 * (size_t)i, R = world->disks.pos[4 * (size_t)i + 3];
+        double leap = sqrt(v[0] * v[0] + v[1] * v[1]) * world->dt;
+        if (leap <= TR_LARGEST_OVERLAP * R) continue;
+        char which[32], what[160];
+        snprintf(which, sizeof which, "disk %d", i);
+        snprintf(what, sizeof what, "it moves %.3g m in one step, more than 0.3 of its radius; give a smaller step.dt",
+                 leap);
+        return fail_at(world, st, what, which);
+    }
+    return true;
+}
+
 bool tr_contacts_refresh(tr_world *world, tr_status *st) {
-    if (!check_finite(world, st)) return false;
+    if (!check_finite(world, st) || !check_leap(world, st)) return false;
     double moved = largest_move(&world->disks, world->wide_ref);
-    bool searched = world->searches > 0;
-    if (!searched || !(2 * moved + world->thin_skin <= world->wide_skin) || !world->near.n)
-        if (!search(world, st)) return false;
+    bool enough = world->searches > 0 && world->near.n && 2 * moved + world->thin_skin <= world->wide_skin;
+    if (!enough && !search(world, st)) return false;
     if (!refresh_disks(world, st) || !refresh_walls(world, st)) return false;
     tr_group_bind(&world->group[0]), tr_group_bind(&world->group[1]);
     copy_centres(&world->disks, world->thin_ref);

@@ -2,9 +2,15 @@
 #include "core/ledger.h"
 
 #include "base/vector.h"
+#include <math.h>
 #include <string.h>
 
-enum { F_T, M1, M2, E_NORMAL, E_FRICTION, E_ROLLING, N_HIST }; /* what a contact remembers of the step before */
+/* What a contact remembers of the step before; the last only where a rolling law has a force. */
+enum { F_D, F_T, M1, M2, E_NORMAL, E_FRICTION, E_ROLLING, F_R, N_HIST };
+
+static int histories(const tr_group *g) {
+    return g->slot[TR_ROLLING].law->needs & TR_GIVES_F_R ? N_HIST : F_R;
+}
 
 static inline double cut(double value, double bound) {
     value = value > bound ? bound : value; /* not fmin: it is a call */
@@ -49,11 +55,15 @@ static void step(tr_tile *tile, const tr_law_data *data) {
     const tr_slot *normal = &g->slot[TR_NORMAL], *friction = &g->slot[TR_FRICTION], *rolling = &g->slot[TR_ROLLING];
     double *h[N_HIST], dt = tile->dt;
     int n = tile->n;
-    for (int k = 0; k < N_HIST; k++) h[k] = g->hist[sink->hist + k] + tile->first;
+    for (int k = 0; k < histories(g); k++) h[k] = g->hist[sink->hist + k] + tile->first;
     tr_lane energy, bound, lost, spin;
     tr_law_data law = tr_group_data(g, normal);
     normal->law->state(tile, &law, h[E_NORMAL], bound);
-    for (int i = 0; i < n; i++) lost[i] = (tile->f_n[i] - tile->f_elastic[i]) * tile->v_n[i] * dt;
+    for (int i = 0; i < n; i++) {
+        double now = tile->f_n[i] - tile->f_elastic[i], before = h[F_D][i] * tile->v_n[i];
+        lost[i] = 0.5 * ((before > 0 ? before : 0) + now * tile->v_n[i]) * dt;
+        h[F_D][i] = now;
+    }
     ledger->damped += sum(n, lost);
     if (friction->law->step) {
         law = tr_group_data(g, friction);
@@ -67,6 +77,17 @@ static void step(tr_tile *tile, const tr_law_data *data) {
         law = tr_group_data(g, rolling);
         rolling->law->state(tile, &law, energy, bound);
         memset(lost, 0, sizeof lost);
+        if (rolling->law->needs & TR_GIVES_F_R) {
+            /* As a couple f_r L turned by Vs/L: the arms, L in sum, are not those of the step before. What that step
+             * left is cut by as much as its moments. */
+            tr_lane couple, no_bound;
+            for (int i = 0; i < n; i++) {
+                double L = tile->r1[i] + tile->r2[i], cut_by = bound[i] / fabs(h[M2][i]);
+                couple[i] = tile->f_r[i] * L, spin[i] = tile->v_s[i] / L, no_bound[i] = INFINITY;
+                if (cut_by < 1) h[F_R][i] *= cut_by;
+            }
+            add_work(n, dt, couple, spin, no_bound, h[F_R], lost);
+        }
         for (int i = 0; i < n; i++) spin[i] = -tile->w1[i];
         add_work(n, dt, tile->m1, spin, bound, h[M1], lost);
         for (int i = 0; i < n; i++) spin[i] = -tile->w2[i];
@@ -78,7 +99,7 @@ static void step(tr_tile *tile, const tr_law_data *data) {
 
 void tr_ledger_attach(tr_group *group, tr_ledger *ledger) {
     group->ledger_sink.ledger = ledger;
-    tr_group_attach(group, &group->ledger_sink, "ledger", step, N_HIST);
+    tr_group_attach(group, &group->ledger_sink, "ledger", step, histories(group));
 }
 
 static void remember_walls(tr_world *world) {

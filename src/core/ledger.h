@@ -3,19 +3,22 @@
  *
  *   start + work = kinetic + elastic (normal, friction, rolling) + dissipated (damped, friction, rolling) + residual
  *
- * Leapfrog does its work by the trapezoid: with K^n = 1/2 m v^(n-1/2) v^(n+1/2) the gain of K over a step is exactly
- * the mean of the forces at its two ends times the displacement. So every work here is ½ (force before + force now) *
+ * Leapfrog does its work by the trapezoid: with K^n = 1/2 m v^(n-1/2) v^(n+1/2) the gain of K over a step is exactly the
+ * mean of the forces at its two ends times the displacement. So every work here is 1/2 (force before + force now) times
  * displacement, and the store is asked from the law. Dissipation of a mechanism = work - change of store, per contact
  * and step:
  *
- *   normal    the elastic part is a potential, its work is its change of store; damped = (f_n - f_elastic) v_n dt >= 0
- *   friction  ½ (Q0 + Q) Vs dt - (E - E_before)      Q0: Q before, cut to the bound of now. With Q before the cut the
- * result rolling   -½ ((M0 + M).w) dt - (E - E_before)    could fall below zero when a bound drops; cut, it never does
- * for a spring- slider driven by its conjugate velocity (algebra in ledger.c)
+ *   normal    elastic part: a potential, its work is its change of store.
+ *             dashpot: 1/2 (F_D before + F_D now) v_n dt, F_D = f_n - f_elastic; where the velocity has just turned, the
+ *             part of F_D before would be below zero, of third order in dt, and is left out
+ *   friction  1/2 (Q0 + Q) Vs dt - (E - E before), Q0 = Q before, cut to the bound of now
+ *   rolling   -1/2 ((M0 + M) . w) dt - (E - E before), M0 likewise
  *
- * A rolling law whose moments are not conjugate to its velocity (wang-spring with bagi-kuhn or alonso-*) makes and
- * loses energy; that shows as a rolling dissipation of either sign. The residual is what the time step loses; it falls
- * with dt.
+ * With Q before the cut, dissipation could fall below zero when a bound drops; cut, it never does for a spring-slider
+ * driven by its conjugate velocity (algebra in ledger.c).
+ *
+ * A rolling law whose moments are not conjugate to its velocity (wang-spring with bagi-kuhn or alonso-*) makes and loses
+ * energy; that shows as a rolling dissipation of either sign. The residual is what the time step loses; it falls with dt.
  */
 #ifndef TR_LEDGER_H
 #define TR_LEDGER_H

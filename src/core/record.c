@@ -4,6 +4,7 @@
 #include "base/alloc.h"
 #include "core/arcs.h"
 #include "core/step.h"
+#include <assert.h>
 #include <math.h>
 
 typedef struct collector {
@@ -29,6 +30,7 @@ static void collect(void *context, tr_group *g, tr_tile *tile) {
         if (!tr_alloc_grow(c->records, (size_t)c->n, (size_t)need * 2, sizeof(tr_record), c->st)) return;
         *c->capacity = need * 2;
     }
+    assert(tr_n_rolling_velocities <= TR_MAX_VELOCITY_MEASURES && tr_n_sliding_velocities <= TR_MAX_VELOCITY_MEASURES);
     tr_record *out = *c->records + c->n;
     bounds(g, &g->slot[TR_FRICTION], tile, friction_bound);
     bounds(g, &g->slot[TR_ROLLING], tile, rolling_bound);
@@ -50,6 +52,7 @@ static void collect(void *context, tr_group *g, tr_tile *tile) {
             .delta = tile->delta[i],
             .f_n = tile->f_n[i],
             .f_t = tile->f_t[i],
+            .f_r = g->slot[TR_ROLLING].law->needs & TR_GIVES_F_R ? tile->f_r[i] : 0,
             .m1 = tile->m1[i],
             .m2 = tile->m2[i],
             .v_n = tile->v_n[i],
@@ -57,7 +60,8 @@ static void collect(void *context, tr_group *g, tr_tile *tile) {
             .s1 = tile->s1[i],
             .s2 = tile->s2[i],
             .mobilisation = friction_bound[i] > 0 ? fabs(tile->f_t[i]) / friction_bound[i] : 0,
-            .rolling_mobilisation = rolling_bound[i] > 0 ? fabs(tile->m2[i]) / rolling_bound[i] : 0,
+            .rolling_mobilisation =
+                rolling_bound[i] > 0 ? fmax(fabs(tile->m1[i]), fabs(tile->m2[i])) / rolling_bound[i] : 0,
             .da = tr_arcs_a(g, tile->first + i),
             .db = tr_arcs_b(g, tile->first + i),
         };

@@ -6,8 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-/* ---- gather: from the bodies to the tile
- * -------------------------------------------------------------------------------- */
+/* ---- gather: from the bodies to the tile ---- */
 /* Four contacts at a time: loads of 32 bytes, turned in registers into lanes, stored as whole vectors. Against one
  * number at a time the whole step gains 15 % (`trundle bench`). It may read up to three contacts behind the end of the
  * list; see contacts.c. */
@@ -50,8 +49,7 @@ static void gather_walls(tr_tile *restrict tile, const tr_group *g, const tr_dis
     }
 }
 
-/* ---- scatter: from the tile to the bodies
- * ------------------------------------------------------------------------------- */
+/* ---- scatter: from the tile to the bodies ---- */
 /* The force of a body is the sum over its contacts in the order of the list, whoever adds it up. */
 
 TR_VECTOR static void scatter_disks(const tr_tile *restrict tile, const tr_group *g, const tr_disks *d) {
@@ -71,8 +69,7 @@ static void scatter_walls(const tr_tile *tile, const tr_group *g, const tr_disks
     }
 }
 
-/* ---- the walk over the tiles
- * -------------------------------------------------------------------------------------------- */
+/* ---- the walk over the tiles ---- */
 
 static void run_passes(tr_world *world, tr_group *g, int first, double dt) {
     tr_tile *tile = world->tile;
@@ -124,8 +121,7 @@ bool tr_step_forces(tr_world *world, tr_status *st) {
     return true;
 }
 
-/* ---- integration
- * -------------------------------------------------------------------------------------------------------- */
+/* ---- integration ---- */
 
 TR_VECTOR static void kick_and_drift(int lanes, double dt, double *restrict pos, double *restrict vel,
                                      const double *restrict force, const double *restrict inv) {

@@ -26,9 +26,11 @@ typedef struct tr_timestep_limit {
 /* The bound of the contacts that touch now. */
 tr_timestep_limit tr_timestep_contacts(const tr_world *world);
 
-/* A bound for any packing of the world's disks: each disk touched by as many of the smallest disks as fit around it
+/* A bound for the packings of the world's disks: each disk touched by as many of the smallest disks as fit around it
  * (and no more bodies than there are). For choosing dt before the contacts are known [s]. */
 double tr_timestep_worst(const tr_world *world);
+
+#define TR_MOST_STEPS 1e12 /* of one run; 1e6 steps take seconds for 400 disks */
 
 /* Sets world->dt: the step given, or safety * *bound with *bound = tr_timestep_worst, or `fallback` if nothing can
  * vibrate (bound infinite). A given step above the bound is refused (TR_BAD_CASE) unless the case allows it. Call it

@@ -4,6 +4,7 @@
 #include "base/alloc.h"
 #include "core/arcs.h"
 #include "core/ledger.h"
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -63,10 +64,12 @@ static void group_take(tr_group *g, int which, const tr_law *law, const tr_scene
 }
 
 static void group_add_pass(tr_group *g, const char *name, tr_pass_run *run, const tr_slot *slot) {
+    assert(g->n_pass < TR_MAX_PASSES);
     g->pass[g->n_pass++] = (tr_pass){.name = name, .run = run, .slot = slot};
 }
 
 void tr_group_attach(tr_group *group, tr_sink *sink, const char *name, tr_pass_run *run, int n_hist) {
+    assert(group->n_pass < TR_MAX_PASSES && group->n_hist + n_hist <= TR_GROUP_HIST);
     sink->group = group;
     sink->hist = group->n_hist, group->n_hist += n_hist;
     group->pass[group->n_pass++] = (tr_pass){.name = name, .run = run, .sink = true, .data.par = sink};
@@ -91,7 +94,8 @@ static void group_choose(tr_group *g, const tr_scene_contact *contact, bool norm
     if (rolling->needs & TR_NEEDS_V_R)
         group_add_pass(g, "rolling velocity", tr_rolling_velocities[rolling_velocity].step, NULL);
     if (rolling->step) group_add_pass(g, "rolling", rolling->step, &g->slot[TR_ROLLING]);
-    group_add_pass(g, "resultant", g->spins ? tr_resultant_full : tr_resultant_central, NULL);
+    tr_pass_run *torques = rolling->needs & TR_GIVES_F_R ? tr_resultant_rolling_force : tr_resultant_full;
+    group_add_pass(g, "resultant", g->spins ? torques : tr_resultant_central, NULL);
 }
 
 bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool smooth_walls, unsigned sinks,
@@ -123,6 +127,13 @@ tr_law_data tr_group_data(const tr_group *group, const tr_slot *slot) {
     for (int k = 0; k < slot->law->n_hist; k++) data.hist[k] = group->hist[slot->hist + k];
     for (int k = 0; k < slot->law->n_pair; k++) data.pair[k] = group->pair[slot->pair + k];
     return data;
+}
+
+double *tr_slot_value(const tr_law *law, double par[TR_LAW_PAR], const char *key) {
+    for (int k = 0; k < law->table.n; k++)
+        if (law->table.params[k].type == TR_REAL && !strcmp(law->table.params[k].key, key))
+            return (double *)((char *)par + law->table.params[k].offset);
+    return NULL;
 }
 
 void tr_group_bind(tr_group *group) {

@@ -31,7 +31,7 @@ enum {
     TR_MAX_PASSES = 8,
     TR_MAX_WALLS = 128,
     TR_MAX_VELOCITY_MEASURES = 8,
-    TR_GROUP_HIST = 3 * TR_MAX_HIST + 8, /* laws of three slots, and the sinks */
+    TR_GROUP_HIST = 3 * TR_MAX_HIST + 9, /* laws of three slots, and the sinks */
     TR_GROUP_PAIR = 3 + 3 * TR_MAX_PAIR  /* R1, R2, g1, and the laws of three slots */
 };
 
@@ -157,6 +157,9 @@ void tr_group_attach(tr_group *group, tr_sink *sink, const char *name, tr_pass_r
 
 /* What the law of a slot sees. */
 tr_law_data tr_group_data(const tr_group *group, const tr_slot *slot);
+
+/* A real parameter of a law by its key; NULL: the law has none of that name. */
+double *tr_slot_value(const tr_law *law, double par[TR_LAW_PAR], const char *key);
 
 /* Points the passes at the group's arrays; after every change of these. */
 void tr_group_bind(tr_group *group);

@@ -47,7 +47,7 @@ static void draw_bar(tr_rows *rows, const char *label, double value, bool bold) 
 static void draw_heading(tr_rows *rows, const tr_record *r) {
     char name[64], number[32], arc[80];
     tr_text at = {
-        .x = TR_PANEL_X, .y = rows->y + 0.8 * rows->height, .size = fmin(0.85 * rows->height, 24), .bold = true};
+        .x = TR_PANEL_X, .y = rows->y + 0.8 * rows->height, .size = fmin(0.85 * rows->height, 20), .bold = true};
     tr_unit unit = tr_frame_unit(fmax(fabs(r->da), fabs(r->db)), "m");
     snprintf(name, sizeof name, r->a < 0 ? "wall %d – disk %d" : "disk %d – disk %d", r->a < 0 ? -1 - r->a : r->a,
              r->b);
@@ -57,7 +57,7 @@ static void draw_heading(tr_rows *rows, const tr_record *r) {
         tr_frame_number(number, sizeof number, i ? r->db : r->da, &unit, true);
         snprintf(arc, sizeof arc, "Δ%c %s%s%s", "ab"[i], number, i ? " " : "", i ? unit.name : "");
         at.x = TR_PANEL_X + (i ? 1.0 : 0.65) * TR_PANEL_W;
-        at.size = fmin(0.78 * rows->height, 22);
+        at.size = fmin(0.78 * rows->height, 18);
         at.hue = i ? TR_VERMILLION : TR_BLUE;
         tr_pen_text(rows->cr, at, arc);
     }

@@ -18,7 +18,7 @@
  *
  * differs: eq. 11 as printed has no signs (wrong where Q < 0 or rolling turns back) and is 0/0 at du_disp = 0.
  *
- * History: Q [N/m]. du_roll = 0: coulomb-spring. P -> 0: a = 0 and Q = 0. Wall: R = R2, material rolls with
+ * History: Q [N/m]. du_roll = 0: coulomb-spring, bit for bit. P -> 0: a = 0 and Q = 0. Wall: R = R2, material rolls with
  * (Vt - R2 w)/2. Energy Q^2/2 k_t; creep dissipates |Q| F |du_roll|.
  */
 #include "base/vector.h"
@@ -53,7 +53,8 @@ TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict d
         double C = creep * sqrt(P / (g1[i] * R2[i])) * fabs(v_roll);
         double A = Q[i] + k_dt * tile->v_s[i], room = M + C - fabs(A);
         double inside = room > 0 ? room : 0, below = 2 * M + C + sqrt(C * C + 4 * M * inside);
-        double w = 2 * fabs(A) / (below > 0 ? below : 1), size = room > 0 ? M * (w * (2 - w)) : M;
+        double w = 2 * fabs(A) / (below > 0 ? below : 1), partial = C > 0 ? M * (w * (2 - w)) : fabs(A);
+        double size = room > 0 ? partial : M;
         size = A < 0 ? -size : size;
         Q[i] = size;
         tile->f_t[i] = size;

@@ -9,8 +9,8 @@
  *   Vs = r1 w1 + r2 w2 + Vt
  *
  * differs: Wang's eq. 12 has the full radii for the arms. With overlap a rigid rotation w would then slide by delta*w
- * and angular momentum would drift; with r1, r2 in velocity and torque both vanish. Eqs. 16, 23, 24 need t = k x n as
- * printed.
+ * and angular momentum would drift; with r1, r2 in velocity and torque both vanish. Eqs. 16, 23, 24 as printed are
+ * right only with t = k x n, the opposite of the paper's own t (and of ours).
  *
  * Wall (body 1, a plane that does not rotate), in its frame: Vt = V21.t, s1 = Vt, s2 = -R2 w2, Vs = Vt + R2 w2: the
  * whole overlap falls to the wall, so r2 = R2.

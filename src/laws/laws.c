@@ -3,7 +3,8 @@
 #include "laws/law.h"
 
 extern const tr_law tr_normal_linear, tr_friction_coulomb_spring, tr_friction_dahlberg_alfredsson,
-    tr_rolling_wang_spring;
+    tr_rolling_wang_spring, tr_rolling_star_force_proportional, tr_rolling_star_constant_torque,
+    tr_rolling_star_displacement_damping, tr_rolling_bagi_kuhn_conjugate;
 
 enum { ALL_CLAIMS = TR_RATE_INDEPENDENT | TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED };
 static const tr_law no_friction = {
@@ -13,9 +14,11 @@ static const tr_law no_rolling = {
 
 const tr_law *const tr_laws_normal[] = {&tr_normal_linear};
 const tr_law *const tr_laws_friction[] = {&tr_friction_coulomb_spring, &tr_friction_dahlberg_alfredsson, &no_friction};
-const tr_law *const tr_laws_rolling[] = {&tr_rolling_wang_spring, &no_rolling};
+const tr_law *const tr_laws_rolling[] = {
+    &tr_rolling_wang_spring,          &tr_rolling_bagi_kuhn_conjugate,       &tr_rolling_star_force_proportional,
+    &tr_rolling_star_constant_torque, &tr_rolling_star_displacement_damping, &no_rolling};
 
-enum { N_NORMAL = 1, N_FRICTION = 3, N_ROLLING = 2 };
+enum { N_NORMAL = 1, N_FRICTION = 3, N_ROLLING = 6 };
 _Static_assert(sizeof tr_laws_normal == N_NORMAL * sizeof(tr_law *), "count of the normal laws");
 _Static_assert(sizeof tr_laws_friction == N_FRICTION * sizeof(tr_law *), "count of the friction laws");
 _Static_assert(sizeof tr_laws_rolling == N_ROLLING * sizeof(tr_law *), "count of the rolling laws");
@@ -24,7 +27,12 @@ _Static_assert(sizeof tr_laws_rolling == N_ROLLING * sizeof(tr_law *), "count of
 static const tr_param_table *const normal_tables[] = {&tr_normal_linear.table};
 static const tr_param_table *const friction_tables[] = {&tr_friction_coulomb_spring.table,
                                                         &tr_friction_dahlberg_alfredsson.table, &no_friction.table};
-static const tr_param_table *const rolling_tables[] = {&tr_rolling_wang_spring.table, &no_rolling.table};
+static const tr_param_table *const rolling_tables[] = {&tr_rolling_wang_spring.table,
+                                                       &tr_rolling_bagi_kuhn_conjugate.table,
+                                                       &tr_rolling_star_force_proportional.table,
+                                                       &tr_rolling_star_constant_torque.table,
+                                                       &tr_rolling_star_displacement_damping.table,
+                                                       &no_rolling.table};
 
 const tr_param_catalog *tr_laws_catalog(void) {
     static const tr_param_catalog catalog = {

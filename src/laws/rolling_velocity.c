@@ -1,11 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* What "rolling velocity" means, by author. All are objective; they answer different questions. Source [Wang2015 eqs.
- * 11, 16, 19a, 26]. s1, s2: how fast the contact point runs over rim 1 and rim 2, seen along t.
+/* What "rolling velocity" means, by author. All are objective; they answer different questions.
+ * Source [Wang2015 eqs. 11, 16, 19a, 26]. s1, s2: how fast the contact point runs over rim 1 and rim 2, seen along t.
  *
- *   wang         (R2 s1 + R1 s2)/(R1+R2) = R1R2/(R1+R2) (w1 - w2)   conjugate to a pure pair of moments; also Luding
- * 2008, Jiang eq. 26 bagi-kuhn    (s1 + s2)/2                                        mean flow of material through the
- * contact; also Iwashita-Oda eq. 19a alonso-min   sgn(s1) min(|s1|,|s2|) where s1 s2 > 0, else 0     Wang's "model 2",
- * as inferred here alonso-mean  (s1 + s2)/2 where s1 s2 > 0, else 0                the other reading of it
+ *   wang         (R2 s1 + R1 s2)/(R1+R2) = R1R2/(R1+R2) (w1 - w2)
+ *                conjugate to a pure pair of moments; also Luding 2008 and Jiang eq. 26
+ *   bagi-kuhn    (s1 + s2)/2
+ *                mean flow of material through the contact; also Iwashita-Oda eq. 19a
+ *   alonso-min   sgn(s1) min(|s1|,|s2|) where s1 s2 > 0, else 0
+ *                Wang's "model 2", as inferred here
+ *   alonso-mean  (s1 + s2)/2 where s1 s2 > 0, else 0
+ *                the other reading of it
  *
  * differs: Wang does not print model 2; "zero when the objective velocities have different signs" is all that is said,
  * so both readings are offered. At a wall g1 = R1/(R1+R2) = 1, and wang gives s2 = -R2 w.

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* Rolling spring-slider. Source [Wang2015 eq. 28] [Luding2008].
  *
- *   T' = T + k_r V_r dt,   T = clamp(T', -mu_r f_n, +mu_r f_n),   M1 = -R_eff T,   M2 = +R_eff T,   R_eff = R1
- * R2/(R1+R2)
+ *   T' = T + k_r V_r dt,   T = clamp(T', -mu_r f_n, +mu_r f_n)
+ *   M1 = -R_eff T,   M2 = +R_eff T,   R_eff = R1 R2/(R1+R2)
  *
  * T is a quasi-force [N/m] (history); the two bodies feel opposite moments and no force. V_r: the scene's rolling
- * velocity. With wang the power is -T V_r exactly. With the other definitions it is not (bagi-kuhn: see physics of the
- * closed cycle in README), which the energy ledger shows as negative or excess dissipation.
+ * velocity. With wang the power is -T V_r exactly. With the other definitions it is not: driven around a closed cycle of
+ * sliding and rolling, bagi-kuhn makes or loses energy, which the ledger shows as dissipation of either sign.
  *
  * differs: eq. 28 compares a torque with a force and stops incrementing at the bound, which locks; here the trial value
  * is clamped. The lever is not printed by Wang; R_eff makes T conjugate to V_r. At a wall R_eff = R2.

@@ -82,7 +82,7 @@ char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, 
     json_t *o = begin(scene, "biaxial");
     double k_n = b->world.group[0]
                      .slot[TR_NORMAL]
-                     .law->stiffness(b->world.group[0].slot[TR_NORMAL].par, &(tr_pair_bodies){1, 1, 1, 1})
+                     .law->stiffness(b->world.group[0].slot[TR_NORMAL].par, &(tr_pair_bodies){1, 1, 1, 1, 0})
                      .k;
     json_object_set_new(o, "n_disks", json_integer(scene->sample.disks));
     add(o, "e0", e0);
@@ -126,7 +126,7 @@ char *tr_summary_bodies(const tr_scene *scene, const tr_bodies *b, const tr_timi
     json_object_set_new(o, "n_disks", json_integer(scene->n_disks));
     add(o, "time_end_s", scene->time_end);
     add(o, "dt_s", b->world.dt);
-    add(o, "dt_bound_s", b->dt_bound); /* null: every motion is prescribed */
+    add(o, "dt_bound_s", b->dt_bound); /* null: nothing that touches can vibrate */
     json_object_set_new(o, "steps", json_integer(b->steps));
     json_object_set_new(o, "contact_updates", json_integer(b->world.contact_updates));
     add_pipeline(o, &b->world);

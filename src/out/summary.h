@@ -29,8 +29,8 @@ typedef struct tr_strength {
 
 tr_strength tr_summary_strength(const tr_series *series);
 
-/* Text of summary.json (free()); NULL: out of memory. energy may be NULL. dt_s and all else but "timing" are the same
- * for the same case on every machine. */
+/* Text of summary.json (free()); NULL: out of memory. energy may be NULL. All but "timing" is the same
+ * from run to run of the same case. */
 char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, double unbalanced,
                          const tr_strength *strength, double mean_stress_2, const tr_energy *energy,
                          const tr_timing *timing, tr_status *st);

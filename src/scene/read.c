@@ -54,7 +54,7 @@ static void add_rows(reader *c, tr_scope *s, const tr_param *params, int n, void
 static bool add_laws(reader *c, tr_scope *s) {
     for (int chosen = 1; chosen >= 0; chosen--) {
         for (int k = 0; k < TR_SLOTS; k++) {
-            tr_slot slot = tr_tables_slot(c->r.catalog, k);
+            tr_law_place slot = tr_tables_slot(c->r.catalog, k);
             tr_scene_law *law = field(c->scene, slot.offset);
             if (chosen && !tr_resolve(&c->r, tr_resolve_entry(s, slot.key), NULL)) return false;
             for (int i = 0; i < slot.n; i++) {
@@ -175,7 +175,7 @@ static bool reserve(reader *c) {
         entries += items * t->n;
     }
     for (int k = 0; k < TR_SLOTS; k++) {
-        tr_slot slot = tr_tables_slot(c->r.catalog, k);
+        tr_law_place slot = tr_tables_slot(c->r.catalog, k);
         for (int i = 0; i < slot.n; i++) entries += slot.laws[i]->n;
     }
     c->r.scopes = tr_alloc((size_t)scopes, sizeof(tr_scope), c->st);

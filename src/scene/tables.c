@@ -87,12 +87,12 @@ static const tr_param step[] = {
 #define STRUCT tr_scene_output
 static const tr_param output[] = {
     {"frames", TR_COUNT, TR_DIM_NUMBER, "", "20", 0, 1e5, NULL, AT(frames), "pictures over the run; 0: none"},
-    {"rows", TR_COUNT, TR_DIM_NUMBER, "", "400", 2, 1e6, NULL, AT(rows), "rows of history.csv"},
+    {"rows", TR_COUNT, TR_DIM_NUMBER, "", "400", 3, 1e6, NULL, AT(rows), "rows of history.csv"},
     {"contacts", TR_COUNT, TR_DIM_NUMBER, "", "1", 0, 1e5, NULL, AT(contacts), "instants listed in contacts.csv"},
-    {"color", TR_CHOICE, TR_DIM_NUMBER, "", "mobilisation", 0, 0, "mobilisation|sliding|rolling", AT(color),
-     "what colours the contacts: |f_t|/(mu f_n), sliding or rolling velocity"},
 };
 static const tr_param output_biaxial[] = {
+    {"color", TR_CHOICE, TR_DIM_NUMBER, "", "mobilisation", 0, 0, "mobilisation|sliding|rolling", AT(color),
+     "what colours the contacts: |f_t|/(mu f_n), sliding or rolling velocity"},
     {"energy", TR_SWITCH, TR_DIM_NUMBER, "", "yes", 0, 0, NULL, AT(energy), "keep the energy ledger"},
 };
 #undef STRUCT
@@ -144,8 +144,8 @@ const tr_section tr_sections[] = {
 };
 const int tr_n_sections = sizeof tr_sections / sizeof *tr_sections;
 
-tr_slot tr_tables_slot(const tr_param_catalog *catalog, int i) {
-    const tr_slot slots[TR_SLOTS] = {
+tr_law_place tr_tables_slot(const tr_param_catalog *catalog, int i) {
+    const tr_law_place slots[TR_SLOTS] = {
         {"normal", catalog->normal, catalog->n_normal, AT(contact.normal)},
         {"friction", catalog->friction, catalog->n_friction, AT(contact.friction)},
         {"rolling", catalog->rolling, catalog->n_rolling, AT(contact.rolling)},
@@ -156,7 +156,7 @@ tr_slot tr_tables_slot(const tr_param_catalog *catalog, int i) {
 
 bool tr_tables_choice(const tr_param_catalog *catalog, const tr_param *param, int i, tr_shown *name) {
     for (int k = 0; k < TR_SLOTS; k++) {
-        tr_slot slot = tr_tables_slot(catalog, k);
+        tr_law_place slot = tr_tables_slot(catalog, k);
         if (param->choices || strcmp(param->key, slot.key) != 0) continue;
         if (i < slot.n) *name = tr_text_show(slot.laws[i]->name);
         return i < slot.n;

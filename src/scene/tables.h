@@ -26,14 +26,14 @@ extern const int tr_n_sections;
 
 /* The places for laws: normal, friction, rolling. A slot's key is in `contact`, and so are the parameters of its law.
  */
-typedef struct tr_slot {
+typedef struct tr_law_place {
     const char *key;
     const tr_param_table *const *laws;
     int n;
     size_t offset; /* of the tr_scene_law in tr_scene */
-} tr_slot;
+} tr_law_place;
 
-tr_slot tr_tables_slot(const tr_param_catalog *catalog, int i);
+tr_law_place tr_tables_slot(const tr_param_catalog *catalog, int i);
 
 /* Name of choice i of a TR_CHOICE row; false when there are no more. Rows whose choices the catalog knows have choices
  * NULL. */

@@ -57,13 +57,13 @@ static void write_key(const writer *w, const tr_param *p, const void *base, cons
 /* Parameters of the chosen laws. A key that two of them share is written once. */
 static void write_laws(const writer *w) {
     for (int k = 0; k < TR_SLOTS; k++) {
-        tr_slot slot = tr_tables_slot(w->catalog, k);
+        tr_law_place slot = tr_tables_slot(w->catalog, k);
         const tr_scene_law *law = (const void *)((const char *)w->scene + slot.offset);
         const tr_param_table *table = slot.laws[law->law];
         for (int i = 0; i < table->n; i++) {
             bool written = false;
             for (int before = 0; before < k; before++) {
-                tr_slot other = tr_tables_slot(w->catalog, before);
+                tr_law_place other = tr_tables_slot(w->catalog, before);
                 const tr_scene_law *chosen = (const void *)((const char *)w->scene + other.offset);
                 const tr_param_table *t = other.laws[chosen->law];
                 for (int j = 0; j < t->n; j++) written |= strcmp(t->params[j].key, table->params[i].key) == 0;

@@ -8,108 +8,125 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { BLOCKS = 40, REPEATS = 15 };
+enum { BLOCKS = 40, REPEATS = 25, MAX_STAGES = TR_MAX_PASSES + 2 };
 
 static int compare(const void *a, const void *b) {
     double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
 }
 
+static double quantile(double *values, int n, double q) {
+    qsort(values, (size_t)n, sizeof *values, compare);
+    return values[(int)(q * (n - 1) + 0.5)];
+}
+
 static void nothing(void *context, tr_group *group, tr_tile *tile) {
     (void)context, (void)group, (void)tile;
 }
 
-/* Median time of one call over the present state [s]. Nothing moves: the walk uses dt = 0. n_pass < 0: whole force
- * step. */
+/* Time of one walk over the present state with the first n_pass passes [s]; n_pass < 0: the whole force step. Nothing moves: dt
+ * is 0. */
 static double time_walk(tr_world *world, int n_pass, tr_status *st) {
-    double time[REPEATS];
-    int whole[2] = {world->group[0].n_pass, world->group[1].n_pass}, calls = 2000000 / (world->group[0].n + 100) + 1;
-    for (int r = 0; r < REPEATS; r++) {
-        double start = tr_run_clock();
-        for (int c = 0; c < calls; c++) {
-            if (n_pass < 0) {
-                world->fresh = true;
-                tr_step_forces(world, st);
-                continue;
-            }
-            for (int k = 0; k < 2; k++) {
-                world->group[k].n_pass = n_pass < whole[k] ? n_pass : whole[k];
-                tr_step_walk(world, &world->group[k], 0, nothing, NULL);
-                world->group[k].n_pass = whole[k];
-            }
+    int whole[2] = {world->group[0].n_pass, world->group[1].n_pass}, calls = 300000 / (world->group[0].n + 100) + 1;
+    double start = tr_run_clock();
+    for (int c = 0; c < calls; c++) {
+        if (n_pass < 0) {
+            world->fresh = true;
+            tr_step_forces(world, st);
+            continue;
         }
-        time[r] = (tr_run_clock() - start) / calls;
+        for (int k = 0; k < 2; k++) {
+            world->group[k].n_pass = n_pass < whole[k] ? n_pass : whole[k];
+            tr_step_walk(world, &world->group[k], 0, nothing, NULL);
+            world->group[k].n_pass = whole[k];
+        }
     }
-    qsort(time, REPEATS, sizeof *time, compare);
-    return time[REPEATS / 2];
+    return (tr_run_clock() - start) / calls;
 }
 
-static void add_pass(tr_bench_report *r, const char *name, double seconds, double contacts) {
-    snprintf(r->pass[r->n_passes].name, sizeof r->pass[0].name, "%s", name);
-    r->pass[r->n_passes++].ns = 1e9 * seconds / contacts;
-}
-
+/* What each pass adds: the walk is cut after every pass in turn, and the whole is repeated. */
 static void time_passes(tr_world *world, tr_bench_report *r, tr_status *st) {
+    static const char *const ends[] = {"scatter", "integration, walls, lists"};
+    double added[MAX_STAGES][REPEATS];
+    int n_pass = world->group[0].n_pass;
     int64_t before = world->contact_updates;
     tr_step_forces(world, st);
-    double contacts = (double)(world->contact_updates - before), so_far = time_walk(world, 0, st);
-    add_pass(r, "gather", so_far, contacts);
-    for (int k = 0; k < world->group[0].n_pass; k++) {
-        double now = time_walk(world, k + 1, st);
-        add_pass(r, world->group[0].pass[k].name, now - so_far, contacts);
-        so_far = now;
+    double contacts = (double)(world->contact_updates - before), forces[REPEATS];
+    for (int k = 0; k < REPEATS; k++) {
+        double so_far = 0;
+        for (int p = 0; p <= n_pass + 1; p++) {
+            double now = time_walk(world, p <= n_pass ? p : -1, st);
+            added[p][k] = now - so_far;
+            so_far = now;
+        }
+        forces[k] = so_far;
     }
-    double forces = time_walk(world, -1, st);
-    add_pass(r, "scatter", forces - so_far, contacts);
-    add_pass(r, "integration, walls, lists", r->us_per_step * 1e-6 - forces, contacts);
+    r->n_passes = n_pass + 3;
+    for (int p = 0; p < r->n_passes; p++) {
+        const char *name = p == 0 ? "gather" : p <= n_pass ? world->group[0].pass[p - 1].name : ends[p - n_pass - 1];
+        double seconds =
+            p < n_pass + 2 ? quantile(added[p], REPEATS, 0.5) : r->us_per_step * 1e-6 - quantile(forces, REPEATS, 0.5);
+        snprintf(r->pass[p].name, sizeof r->pass[p].name, "%s", name);
+        r->pass[p].ns = 1e9 * seconds / contacts;
+    }
 }
 
-static bool shear(tr_biaxial *b, const volatile sig_atomic_t *stop, tr_bench_report *r, tr_status *st) {
+typedef struct subject {
+    tr_biaxial b;
     double rate[BLOCKS], step[BLOCKS];
-    for (int k = 0; k < BLOCKS; k++) {
-        int64_t updates = b->world.contact_updates, steps = b->shear_steps / BLOCKS;
-        double start = tr_run_clock();
-        for (int64_t s = 0; s < steps; s++) {
-            if (!tr_biaxial_forces(b, st)) return false;
-            tr_step_advance(&b->world);
-        }
-        double seconds = tr_run_clock() - start;
-        rate[k] = (double)(b->world.contact_updates - updates) / seconds;
-        step[k] = 1e6 * seconds / (double)steps;
-        r->touching += (double)(b->world.contact_updates - updates) / (double)steps / BLOCKS;
-        r->listed += (double)(b->world.group[0].n + b->world.group[1].n) / BLOCKS;
-        if (stop && *stop) return tr_status_fail(st, TR_INTERRUPTED, "stopped");
+} subject;
+
+static bool prepare(subject *s, tr_scene *scene, tr_status *st) {
+    bool done = false;
+    double unbalanced;
+    scene->output.energy = false;
+    if (!tr_biaxial_init(&s->b, scene, st)) return false;
+    while (!done)
+        if (!tr_biaxial_compact(&s->b, 200, &unbalanced, &done, st)) return false;
+    if (!tr_biaxial_begin_shear(&s->b, st)) return false;
+    if (s->b.shear_steps >= BLOCKS) return true;
+    return tr_status_fail(st, TR_BAD_CASE, "error: bench needs %d steps of shear or more, this case has %lld", BLOCKS,
+                          (long long)s->b.shear_steps);
+}
+
+static bool run_block(subject *s, int k, tr_bench_report *r, tr_status *st) {
+    tr_world *world = &s->b.world;
+    int64_t updates = world->contact_updates, steps = s->b.shear_steps / BLOCKS;
+    double start = tr_run_clock();
+    for (int64_t n = 0; n < steps; n++) {
+        if (!tr_biaxial_forces(&s->b, st)) return false;
+        tr_step_advance(world);
     }
-    qsort(rate, BLOCKS, sizeof *rate, compare);
-    qsort(step, BLOCKS, sizeof *step, compare);
-    r->low = rate[BLOCKS / 4], r->updates_per_s = rate[BLOCKS / 2], r->high = rate[3 * BLOCKS / 4];
-    r->us_per_step = step[BLOCKS / 2];
+    double seconds = tr_run_clock() - start, touched = (double)(world->contact_updates - updates);
+    s->rate[k] = touched / seconds;
+    s->step[k] = 1e6 * seconds / (double)steps;
+    r->touching += touched / (double)steps / BLOCKS;
+    r->listed += (double)(world->group[0].n + world->group[1].n) / BLOCKS;
     return true;
 }
 
-bool tr_bench(const tr_scene *scene, const volatile sig_atomic_t *stop, tr_bench_report *report, tr_status *st) {
-    *report = (tr_bench_report){0};
-    tr_biaxial *b = tr_alloc(1, sizeof *b, st);
-    if (!b) return false;
-    tr_scene quiet = *scene;
-    quiet.output.energy = false;
-    bool done = false, ok = tr_biaxial_init(b, &quiet, st);
-    double unbalanced;
-    while (ok && !done) {
-        ok = tr_biaxial_compact(b, 200, &unbalanced, &done, st);
-        if (ok && stop && *stop) ok = tr_status_fail(st, TR_INTERRUPTED, "stopped");
+static void report_subject(subject *s, tr_bench_report *r, tr_status *st) {
+    r->low = quantile(s->rate, BLOCKS, 0.25);
+    r->updates_per_s = quantile(s->rate, BLOCKS, 0.5);
+    r->high = quantile(s->rate, BLOCKS, 0.75);
+    r->us_per_step = quantile(s->step, BLOCKS, 0.5);
+    r->bytes_per_disk = (double)tr_world_bytes(&s->b.world) / s->b.world.disks.n;
+    time_passes(&s->b.world, r, st);
+}
+
+bool tr_bench(const tr_scene *const *scenes, int n, tr_bench_report *reports, tr_status *st) {
+    subject *s = tr_alloc((size_t)n, sizeof *s, st);
+    tr_scene *quiet = tr_alloc((size_t)n, sizeof *quiet, st); /* ledger off */
+    bool ok = s && quiet;
+    for (int i = 0; ok && i < n; i++) {
+        reports[i] = (tr_bench_report){0};
+        quiet[i] = *scenes[i];
+        ok = prepare(&s[i], &quiet[i], st);
     }
-    ok = ok && tr_biaxial_begin_shear(b, st);
-    if (ok && b->shear_steps < BLOCKS)
-        ok = tr_status_fail(st, TR_BAD_CASE, "error: bench needs %d steps of shear or more, this case has %lld", BLOCKS,
-                            (long long)b->shear_steps);
-    ok = ok && shear(b, stop, report, st);
-    if (ok) {
-        report->bytes_per_disk = (double)tr_world_bytes(&b->world) / b->world.disks.n;
-        time_passes(&b->world, report, st);
-        ok = st->code == TR_OK;
-    }
-    tr_biaxial_free(b);
-    free(b);
-    return ok;
+    for (int k = 0; ok && k < BLOCKS; k++)
+        for (int i = 0; ok && i < n; i++) ok = run_block(&s[i], k, &reports[i], st);
+    for (int i = 0; ok && i < n; i++) report_subject(&s[i], &reports[i], st);
+    for (int i = 0; s && i < n; i++) tr_biaxial_free(&s[i].b);
+    free(s), free(quiet);
+    return ok && st->code == TR_OK;
 }

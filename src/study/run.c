@@ -103,7 +103,7 @@ void tr_run_progress(const tr_run_options *options, const char *stage, double fr
     if (options->progress) options->progress(options->context, stage, fraction);
 }
 
-/* A film of a few frames should last long enough to see them: half as many a second as there are, within 5..30. */
+/* Frames a second: a film of a few frames lasts four seconds, but never crawls. */
 static int frame_rate(int frames) {
     return (int)fmax(5, fmin(30, frames / 4.0));
 }

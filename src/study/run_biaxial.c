@@ -40,14 +40,10 @@ static bool compact(test *t, tr_status *st) {
     return tr_biaxial_begin_shear(&t->b, st);
 }
 
-/* Value of a law's parameter by its key; NAN if the law has none of that name. */
-static double law_value(const tr_slot *slot, const char *key) {
-    const tr_param_table *table = &slot->law->table;
-    double value = NAN;
-    for (int k = 0; k < table->n; k++)
-        if (!strcmp(table->params[k].key, key))
-            memcpy(&value, (const char *)slot->par + table->params[k].offset, sizeof value);
-    return value;
+/* Value of a law's parameter; 0 where the law has none of that name. */
+static double law_value(tr_slot *slot, const char *key) {
+    const double *value = tr_slot_value(slot->law, slot->par, key);
+    return value ? *value : 0;
 }
 
 /* One scale and one box for the whole film. */
@@ -56,12 +52,12 @@ static void set_view(test *t) {
     const tr_scene_sample *sample = &t->scene->sample;
     double width = w[TR_RIGHT_WALL].x - w[TR_LEFT_WALL].x, centre = 0.5 * (w[TR_RIGHT_WALL].x + w[TR_LEFT_WALL].x);
     double spread = 0.5 * width * 1.1 / (1 - t->scene->shear.strain_end); /* volume kept, and a tenth of dilation */
-    double arrows = 0.08 * width; /* room for those of the driven walls */
+    double arrows = 0.08 * width;                                         /* room for those of the driven walls */
     double d = sample->r_min + sample->r_max, speed = 4 * t->b.rate * d;
     tr_record typical = {.v_s = speed, .v_r = speed};
-    const tr_slot *rolling = &t->b.world.group[0].slot[TR_ROLLING];
+    tr_slot *rolling = &t->b.world.group[0].slot[TR_ROLLING];
     double mu = law_value(&t->b.world.group[0].slot[TR_FRICTION], "mu"), mu_r = law_value(rolling, "mu_r");
-    snprintf(t->title, sizeof t->title, "Biaxial test   μ = %g, μ_r = %g", isnan(mu) ? 0 : mu, isnan(mu_r) ? 0 : mu_r);
+    snprintf(t->title, sizeof t->title, "Biaxial test   μ = %g, μ_r = %g", mu, mu_r);
     t->view = (tr_view){
         .world = &t->b.world,
         .color = (tr_color)t->scene->output.color,

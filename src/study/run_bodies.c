@@ -107,7 +107,7 @@ static void report_bodies(const show *s, tr_run_report *r, const tr_timing *timi
     tr_run_say(r, "disks, walls", "%d, %d", s->scene->n_disks, s->scene->n_walls);
     tr_run_say(r, "time", "%g s", s->scene->time_end);
     if (isinf(s->b.dt_bound))
-        tr_run_say(r, "time step", "%.3g s, no bound: every motion is prescribed", s->b.world.dt);
+        tr_run_say(r, "time step", "%.3g s, no bound: nothing that touches can vibrate", s->b.world.dt);
     else
         tr_run_say(r, "time step", "%.3g s, bound %.3g s", s->b.world.dt, s->b.dt_bound);
     tr_run_say(r, "steps", "%lld", (long long)s->b.steps);

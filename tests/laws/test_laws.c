@@ -67,7 +67,7 @@ static void set_up(const tr_law *normal, const tr_law *friction, const tr_law *r
         B.R1[i] = i ? pow(10, random_in(-0.5, 0.5)) : 0, B.R2[i] = pow(10, random_in(-0.5, 0.5));
         B.g1[i] = i ? B.R1[i] / (B.R1[i] + B.R2[i]) : 1;
         B.m1[i] = i ? 10 * B.R1[i] * B.R1[i] : INFINITY, B.m2[i] = 10 * B.R2[i] * B.R2[i];
-        tr_pair_bodies bodies = {B.R1[i], B.R2[i], B.m1[i], B.m2[i]};
+        tr_pair_bodies bodies = {B.R1[i], B.R2[i], B.m1[i], B.m2[i], 0};
         for (int s = 0; s < 3; s++) {
             double constants[TR_MAX_PAIR] = {0};
             if (!B.law[s]->n_pair) continue;
@@ -320,7 +320,7 @@ static void test_stiffness_is_what_the_law_shows(void **state) {
             for (int i = 0; i < TR_TILE; i++) B.tile.delta[i] += 1e-6, B.tile.v_n[i] = 0.01;
             run_laws(B.dt);
             for (int i = 0; i < TR_TILE; i++) {
-                tr_pair_bodies b = {B.R1[i], B.R2[i], B.m1[i], B.m2[i]};
+                tr_pair_bodies b = {B.R1[i], B.R2[i], B.m1[i], B.m2[i], 0};
                 tr_stiffness n = B.law[0]->stiffness(B.par[0], &b), t = B.law[1]->stiffness(B.par[1], &b),
                              q = B.law[2]->stiffness(B.par[2], &b);
                 double d_n = B.tile.f_n[i] - old.f_n[i], du = 1e-3 * B.dt;

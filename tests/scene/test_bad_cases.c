@@ -67,8 +67,8 @@ static const bad_case rows[] = {
      "a.yaml:5:1: error: `gravity` is not for `kind: biaxial`; allowed here: kind, seed, sample, contact, compaction, "
      "shear, step, output\ngravity: {y: -9.81}\n^"},
     {GOOD_BODIES "output: {energy: yes}\n", 0, NULL,
-     "a.yaml:5:10: error: `output.energy` is not for `kind: bodies`; allowed here: frames, rows, contacts, "
-     "color\noutput: {energy: yes}\n         ^"},
+     "a.yaml:5:10: error: `output.energy` is not for `kind: bodies`; allowed here: frames, rows, contacts"
+     "\noutput: {energy: yes}\n         ^"},
     {GOOD "output: {color: mobilization}\n", 0, NULL,
      "a.yaml:5:17: error: `mobilization` is not a choice for `color` (did you mean `mobilisation`?); allowed is "
      "mobilisation | sliding | rolling\noutput: {color: mobilization}\n                ^"},

@@ -92,6 +92,7 @@ check 'Cairo and libpng only in draw/' is_silent library 'cairo|png\.h|pango' dr
 check 'Box2D only in broad/' is_silent library 'box2d|b2_' broad
 check 'YAML and muParser only in scene/' is_silent library 'yaml|muParser' scene
 check 'jansson only in out/' is_silent library 'jansson' out
+check 'libcsv only in study/' is_silent library 'csv\.h' study
 check 'printing and exit only in cli/' is_silent printing
 check 'every source file names its licence' is_silent without_licence
 check 'no source file is longer than 500 lines' is_silent too_long
@@ -117,7 +118,7 @@ broken() {
     chmod -R u+w "$work/copy"
     printf '%s\n' "$3" >>"$work/copy/src/$2"
     "$0" "$work/copy" >"$work/tap" 2>&1
-    says "$work/tap" 1..8 || return 1
+    says "$work/tap" 1..9 || return 1
     failed=$(grep '^not ok' "$work/tap" | sed 's/^not ok [0-9]* - //')
     equals "$failed" "$1"
 }
@@ -130,6 +131,7 @@ check 'noticed: Cairo in out' broken 'Cairo and libpng only in draw/' out/dir.c 
 check 'noticed: Box2D in core' broken 'Box2D only in broad/' core/step.c '#include <box2d/box2d.h>'
 check 'noticed: YAML in study' broken 'YAML and muParser only in scene/' study/run.c '#include <yaml.h>'
 check 'noticed: jansson in core' broken 'jansson only in out/' core/step.c '#include <jansson.h>'
+check 'noticed: libcsv in out' broken 'libcsv only in study/' out/table.c '#include <csv.h>'
 check 'noticed: printf in a law' broken 'printing and exit only in cli/' laws/laws.c 'void f(void) { printf("x"); }'
 check 'noticed: a message to stderr' broken 'printing and exit only in cli/' core/step.c 'void f(void) { fprintf(stderr, "x"); }'
 check 'noticed: exit in core' broken 'printing and exit only in cli/' core/step.c 'void f(void) { exit(1); }'

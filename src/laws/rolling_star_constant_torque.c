@@ -1,0 +1,101 @@
+/* SPDX-License-Identifier: MIT */
+/* A constant moment against the relative spin. Source [STARCCM2021 eq. 3276], "constant torque".
+ *
+ *   M1 = -mu_r R_eq f_n w_rel/|w_rel|,   M2 = -M1,   w_rel = w1 - w2
+ *   moment limiter (off unless chosen): |M| <= limiter_factor min(I1 |w1|, I2 |w2|)/dt, walls skipped
+ *
+ * A sign law chatters at w_rel = 0. So M1 = clamp(-I_red w*_rel/dt, -cap, +cap), 1/I_red = 1/I1 + 1/I2: what stops the
+ * relative spin within this step where the cap allows it. w* is the spin that the step would end with under this
+ * contact's friction torque alone, w*_1 = w1 - dt r1 Q/I1 and w*_2 = w2 - dt r2 Q/I2. Several contacts of one body do
+ * not know of each other: together they may turn its spin over and over, which the limiter is there to prevent.
+ *
+ * differs: R_eq, "the harmonic mean of the radii", is 2 R1R2/(R1+R2) literally and R1R2/(R1+R2) in common use: a
+ * choice. The limiter's "angular momentum" is read as a moment, "the lesser of the two rotations" as the lesser of I
+ * |w|. With the limiter the law is neither rate-independent nor objective, and a disk beside one at rest feels nothing.
+ *
+ * History: M1 [N] only so that a look with dt = 0 finds the moments of the step. I = m R^2/2 from the mass, also for a
+ * disk whose motion is prescribed. w_rel -> 0: a stop without chatter. Wall: I1 infinite, R_eq = 2 R2 or R2. No energy
+ * is stored.
+ */
+#include "base/vector.h"
+#include "laws/law.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+typedef struct par {
+    double mu_r, limiter_factor;
+    int R_eq;
+    bool limiter;
+} par;
+
+static const tr_param params[] = {
+    {"mu_r", TR_REAL, TR_DIM_NUMBER, "1", "0.1", 0, 100, NULL, offsetof(par, mu_r),
+     "coefficient of rolling resistance"},
+    {"R_eq", TR_CHOICE, TR_DIM_NUMBER, "", "harmonic", 0, 0, "harmonic|half", offsetof(par, R_eq),
+     "equivalent radius: harmonic 2R1R2/(R1+R2), 2R2 at a wall; half of it, R1R2/(R1+R2), R2 at a wall"},
+    {"limiter", TR_SWITCH, TR_DIM_NUMBER, "", "no", 0, 0, NULL, offsetof(par, limiter), "moment limiter"},
+    {"limiter_factor", TR_REAL, TR_DIM_NUMBER, "1", "0.08", 0, 1, NULL, offsetof(par, limiter_factor),
+     "share of the moment that stops the lesser rotation in one step"},
+};
+
+/* 1/I of both [1/(kg m)]; 0 at a wall. */
+static void pair(const void *par_, const tr_pair_bodies *bodies, double *constants) {
+    (void)par_;
+    constants[0] = bodies->R1 > 0 ? 2 / (bodies->m1 * bodies->R1 * bodies->R1) : 0;
+    constants[1] = 2 / (bodies->m2 * bodies->R2 * bodies->R2);
+}
+
+TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict data) {
+    const par *p = data->par;
+    const double dt = tile->dt, per_dt = dt > 0 ? 1 / dt : 0, keep = dt > 0 ? 0 : 1, huge = 1e300;
+    const double strength = p->mu_r * (p->R_eq ? 1 : 2); /* cap = strength f_n R1R2/(R1+R2) */
+    const double limited = p->limiter ? p->limiter_factor * per_dt : 0, unlimited = p->limiter && dt > 0 ? 0 : huge;
+    const double *restrict R2 = tile->R2, *restrict g1 = tile->g1;
+    const double *restrict J1 = data->pair[0] + tile->first, *restrict J2 = data->pair[1] + tile->first;
+    double *restrict M = data->hist[0] + tile->first;
+    for (int i = 0; i < tile->n; i++) {
+        double w1 = tile->w1[i], w2 = tile->w2[i], cap = strength * tile->f_n[i] * (g1[i] * R2[i]);
+        double turn = w1 - w2 - dt * (tile->r1[i] * J1[i] - tile->r2[i] * J2[i]) * tile->f_t[i];
+        double L1 = J1[i] > 0 ? fabs(w1) / J1[i] : huge, L2 = fabs(w2) / J2[i], lesser = L1 < L2 ? L1 : L2;
+        double limit = limited * lesser + unlimited, trial = keep * M[i] - per_dt * turn / (J1[i] + J2[i]);
+        cap = cap < limit ? cap : limit;
+        trial = trial > cap ? cap : trial;
+        trial = trial < -cap ? -cap : trial;
+        M[i] = trial;
+        tile->m1[i] = trial, tile->m2[i] = -trial;
+    }
+}
+
+static void state(const tr_tile *tile, const tr_law_data *data, double *energy, double *bound) {
+    const par *p = data->par;
+    for (int i = 0; i < tile->n; i++) {
+        energy[i] = 0;
+        bound[i] = p->mu_r * (p->R_eq ? 1 : 2) * tile->f_n[i] * (tile->g1[i] * tile->R2[i]);
+    }
+}
+
+static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *bodies) {
+    (void)par_, (void)bodies;
+    return (tr_stiffness){0};
+}
+
+const tr_law tr_rolling_star_constant_torque = {
+    .table = {"star-constant-torque", "moment mu_r R_eq f_n against the relative spin", params,
+              sizeof params / sizeof *params},
+    .source = "[STARCCM2021 eq. 3276]",
+    .formula =
+        "M1 = -mu_r R_eq f_n w_rel/|w_rel|, M2 = -M1, w_rel = w1 - w2; at w_rel = 0 what stops it within the step\n"
+        "limiter: |M| <= limiter_factor min(I1 |w1|, I2 |w2|)/dt, walls skipped",
+    .differs =
+        "The \"harmonic mean\" R_eq is ambiguous: both readings are choices. The limiter's \"angular momentum\" is "
+        "read as a moment and \"the lesser of the two rotations\" as the lesser of I |w|; it is off unless chosen, "
+        "and with it the law is neither rate-independent nor objective.",
+    .claims = TR_RATE_INDEPENDENT | TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
+    .n_hist = 1,
+    .n_pair = 2,
+    .pair = pair,
+    .step = step,
+    .state = state,
+    .stiffness = stiffness,
+};

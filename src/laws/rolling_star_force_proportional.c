@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: MIT */
+/* A moment against each body's own spin. Source [STARCCM2021 eq. 3275], "force proportional".
+ *
+ *   M_p = -mu_r f_n |r_c| w_p/|w_p|
+ *
+ * |r_c|: arm from the centre of p to the contact point, r1 or r2. As documented it is neither objective (w_p is the
+ * absolute spin: disks that only turn with an observer are braked) nor balanced (each body has its own moment: angular
+ * momentum is made and lost).
+ *
+ * A sign law chatters at w = 0. So M_p = clamp(-I_p w*_p/dt, -cap, +cap): what stops the spin within this step where
+ * the cap allows it. w*_p is the spin that the step would end with under this contact's friction torque -r_p Q alone:
+ * I_p w*_p/dt = I_p w_p/dt - r_p Q. Several contacts of one body do not know of each other.
+ *
+ * differs: eq. 3275 is printed without the minus.
+ *
+ * History: M1, M2 [N] only so that a look with dt = 0 finds the moments of the step. I = m R^2/2 from the mass, also
+ * for a disk whose motion is prescribed. w -> 0: a stop without chatter. Wall: no arm, no moment. No energy is stored.
+ */
+#include "base/vector.h"
+#include "laws/law.h"
+
+#include <math.h>
+
+typedef struct par {
+    double mu_r;
+} par;
+
+static const tr_param params[] = {
+    {"mu_r", TR_REAL, TR_DIM_NUMBER, "1", "0.001", 0, 100, NULL, offsetof(par, mu_r),
+     "coefficient of rolling resistance"},
+};
+
+/* Inertias [kg m]; the wall's is not used. */
+static void pair(const void *par_, const tr_pair_bodies *bodies, double *constants) {
+    (void)par_;
+    constants[0] = bodies->R1 > 0 ? 0.5 * bodies->m1 * bodies->R1 * bodies->R1 : 0;
+    constants[1] = 0.5 * bodies->m2 * bodies->R2 * bodies->R2;
+}
+
+TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict data) {
+    const par *p = data->par;
+    const double mu_r = p->mu_r, dt = tile->dt, per_dt = dt > 0 ? 1 / dt : 0, keep = dt > 0 ? 0 : 1;
+    const double *restrict I1 = data->pair[0] + tile->first, *restrict I2 = data->pair[1] + tile->first;
+    double *restrict M1 = data->hist[0] + tile->first, *restrict M2 = data->hist[1] + tile->first;
+    for (int i = 0; i < tile->n; i++) {
+        double r1 = tile->r1[i], r2 = tile->r2[i], cap1 = mu_r * tile->f_n[i] * r1, cap2 = mu_r * tile->f_n[i] * r2;
+        double a = keep * M1[i] - per_dt * (I1[i] * tile->w1[i] - dt * (r1 * tile->f_t[i]));
+        double b = keep * M2[i] - per_dt * (I2[i] * tile->w2[i] - dt * (r2 * tile->f_t[i]));
+        a = a > cap1 ? cap1 : a;
+        a = a < -cap1 ? -cap1 : a;
+        b = b > cap2 ? cap2 : b;
+        b = b < -cap2 ? -cap2 : b;
+        M1[i] = a, M2[i] = b;
+        tile->m1[i] = a, tile->m2[i] = b;
+    }
+}
+
+static void state(const tr_tile *tile, const tr_law_data *data, double *energy, double *bound) {
+    const par *p = data->par;
+    for (int i = 0; i < tile->n; i++) {
+        energy[i] = 0;
+        bound[i] = p->mu_r * tile->f_n[i] * (tile->r1[i] > tile->r2[i] ? tile->r1[i] : tile->r2[i]);
+    }
+}
+
+static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *bodies) {
+    (void)par_, (void)bodies;
+    return (tr_stiffness){0};
+}
+
+const tr_law tr_rolling_star_force_proportional = {
+    .table = {"star-force-proportional", "moment mu_r f_n times the arm, against each body's own spin", params,
+              sizeof params / sizeof *params},
+    .source = "[STARCCM2021 eq. 3275]",
+    .formula = "M_p = -mu_r f_n |r_c| w_p/|w_p| on each body p, |r_c| its arm to the contact point\n"
+               "at w_p = 0 what stops the spin within the step",
+    .differs = "Eq. 3275 is printed without the minus. Neither objective nor balanced, as documented by its source.",
+    .claims = TR_RATE_INDEPENDENT | TR_ENERGY_CLOSED,
+    .n_hist = 2,
+    .n_pair = 2,
+    .pair = pair,
+    .step = step,
+    .state = state,
+    .stiffness = stiffness,
+};

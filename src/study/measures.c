@@ -1,0 +1,437 @@
+/* SPDX-License-Identifier: MIT */
+/* trundle measures: see measures.h. */
+#include "study/measures.h"
+
+#include "base/alloc.h"
+#include "laws/law.h"
+#include <assert.h>
+#include <csv.h>
+#include <errno.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* clang-format off */
+#define COLUMN(name) {#name, offsetof(tr_motion, name)}
+const tr_measures_column tr_motion_columns[TR_MOTION_COLUMNS] = {
+    COLUMN(R1), COLUMN(R2), COLUMN(x1x), COLUMN(x1y), COLUMN(x2x), COLUMN(x2y),
+    COLUMN(v1x), COLUMN(v1y), COLUMN(v2x), COLUMN(v2y), COLUMN(w1), COLUMN(w2),
+};
+#undef COLUMN
+#define COLUMN(name) {#name, offsetof(tr_motion_measures, name)}
+const tr_measures_column tr_measures_columns[TR_MEASURES_COLUMNS] = {
+    COLUMN(beta_dot), COLUMN(Vt), COLUMN(da), COLUMN(db), COLUMN(s1), COLUMN(s2),
+    COLUMN(Vr_wang), COLUMN(Vs_wang), COLUMN(Vs_full_radii), COLUMN(Vr_bagi_kuhn), COLUMN(Us_iwashita_oda),
+    COLUMN(Vr_alonso_min), COLUMN(Vr_alonso_mean), COLUMN(Vs_alonso), COLUMN(Vr_tordesillas), COLUMN(Vr_jiang),
+    COLUMN(Us_jiang), COLUMN(Vroll_kuhn), COLUMN(lambda_dot), COLUMN(alpha1_dot), COLUMN(alpha2_dot),
+};
+/* clang-format on */
+
+/* ---- motions through the passes */
+
+typedef struct lanes {
+    tr_tile tile;
+    double R1[TR_TILE], R2[TR_TILE], g1[TR_TILE];
+    int of[TR_TILE]; /* lane -> motion */
+} lanes;
+
+static bool is_wall(const tr_motion *m) {
+    return isinf(m->R1);
+}
+
+static void gather_pair(lanes *b, int i, const tr_motion *m) {
+    b->R1[i] = m->R1, b->R2[i] = m->R2, b->g1[i] = m->R1 / (m->R1 + m->R2);
+    b->tile.dx[i] = m->x2x - m->x1x, b->tile.dy[i] = m->x2y - m->x1y;
+    b->tile.dvx[i] = m->v2x - m->v1x, b->tile.dvy[i] = m->v2y - m->v1y;
+    b->tile.w1[i] = m->w1, b->tile.w2[i] = m->w2;
+}
+
+/* Seen from the wall, which then rests: its material, continued to the centre of the disk, moves there with
+ * v1 + w1 k x X21. */
+static void gather_wall(lanes *b, int i, const tr_motion *m) {
+    double dx = m->x2x - m->x1x, dy = m->x2y - m->x1y, L = sqrt(dx * dx + dy * dy);
+    b->R1[i] = 0, b->R2[i] = m->R2, b->g1[i] = 1;
+    b->tile.nx[i] = dx / L, b->tile.ny[i] = dy / L;
+    b->tile.dx[i] = L, b->tile.dy[i] = 0;
+    b->tile.dvx[i] = m->v2x - m->v1x + m->w1 * dy, b->tile.dvy[i] = m->v2y - m->v1y - m->w1 * dx;
+    b->tile.w1[i] = 0, b->tile.w2[i] = m->w2 - m->w1;
+}
+
+static void run_pass(lanes *b, const tr_velocity_measure *measures, int n, const char *name) {
+    for (int k = 0; k < n; k++)
+        if (!strcmp(measures[k].name, name)) {
+            measures[k].step(&b->tile, NULL);
+            return;
+        }
+    assert(!"a measure left the registry");
+}
+
+/* Runs one pass and puts what it wrote into a field of each motion's measures. */
+static void rolling(lanes *b, const char *name, tr_motion_measures *out, size_t field) {
+    run_pass(b, tr_rolling_velocities, tr_n_rolling_velocities, name);
+    for (int i = 0; i < b->tile.n; i++) memcpy((char *)&out[b->of[i]] + field, &b->tile.v_r[i], sizeof(double));
+}
+
+static void sliding(lanes *b, const char *name, tr_motion_measures *out, size_t field) {
+    run_pass(b, tr_sliding_velocities, tr_n_sliding_velocities, name);
+    for (int i = 0; i < b->tile.n; i++) memcpy((char *)&out[b->of[i]] + field, &b->tile.v_s[i], sizeof(double));
+}
+
+/* What no pass computes, and what kinematics left in the tile. g1 = R1/(R1+R2), at a wall 1: there the formulas with g1
+ * are the limits for R1 -> inf. */
+static void derive(const lanes *b, int i, const tr_motion *m, tr_motion_measures *out) {
+    const tr_tile *t = &b->tile;
+    double R1 = b->R1[i], R2 = b->R2[i], g1 = b->g1[i], g2 = 1 - g1, w1 = t->w1[i], w2 = t->w2[i];
+    double Vt = t->dvx[i] * t->ny[i] - t->dvy[i] * t->nx[i];
+    double beta_dot = is_wall(m) ? 0 : -Vt / (t->r1[i] + t->r2[i]); /* r1 + r2 = |X21| */
+    out->Vt = Vt;
+    out->beta_dot = is_wall(m) ? m->w1 : beta_dot;
+    out->s1 = t->s1[i], out->s2 = t->s2[i];
+    out->Vs_wang = t->v_s[i];
+    out->da = out->s1, out->db = -out->s2;          /* below [Wang2015 eq. 24] */
+    out->Vs_full_radii = R1 * w1 + R2 * w2 + Vt;    /* [Wang2015 eq. 12] */
+    out->Vr_tordesillas = w1 - w2;                  /* [Wang2015 eq. 25] */
+    out->Vr_jiang = g2 * out->da - g1 * out->db;    /* [Wang2015 eq. 26] */
+    out->Us_jiang = 0.5 * (out->da + out->db);      /* [Wang2015 eq. 27] */
+    out->Vroll_kuhn = -0.5 * (out->da - out->db);   /* [Kuhn2014 eq. 5], along t */
+    out->alpha1_dot = g2 * (w1 - w2);               /* [Wang2015 eq. 8a] */
+    out->alpha2_dot = -g1 * (w1 - w2);              /* [Wang2015 eq. 8b] */
+    out->lambda_dot = g2 * w2 + g1 * w1 - beta_dot; /* [Wang2015 eq. 8c] */
+}
+
+static void measure_tile(lanes *b, tr_pass_run *kinematics, const tr_motion *motion, tr_motion_measures *out) {
+    kinematics(&b->tile, NULL);
+    for (int i = 0; i < b->tile.n; i++) derive(b, i, &motion[b->of[i]], &out[b->of[i]]);
+    rolling(b, "wang", out, offsetof(tr_motion_measures, Vr_wang));
+    rolling(b, "bagi-kuhn", out, offsetof(tr_motion_measures, Vr_bagi_kuhn));
+    rolling(b, "alonso-min", out, offsetof(tr_motion_measures, Vr_alonso_min));
+    rolling(b, "alonso-mean", out, offsetof(tr_motion_measures, Vr_alonso_mean));
+    sliding(b, "iwashita-oda", out, offsetof(tr_motion_measures, Us_iwashita_oda));
+    sliding(b, "alonso", out, offsetof(tr_motion_measures, Vs_alonso));
+}
+
+bool tr_measures_motions(const tr_motion *motion, int n, tr_motion_measures *measures, tr_status *st) {
+    lanes *b = tr_alloc(1, sizeof *b, st);
+    if (!b) return false;
+    b->tile.R1 = b->R1, b->tile.R2 = b->R2, b->tile.g1 = b->g1;
+    for (int wall = 0; wall < 2; wall++) /* as in an assembly: pairs in tiles of their own, then walls */
+        for (int next = 0; next < n;) {
+            int filled = 0;
+            for (; next < n && filled < TR_TILE; next++) {
+                if (is_wall(&motion[next]) != wall) continue;
+                (wall ? gather_wall : gather_pair)(b, filled, &motion[next]);
+                b->of[filled++] = next;
+            }
+            b->tile.n = filled;
+            measure_tile(b, wall ? tr_kinematics_wall : tr_kinematics_pair, motion, measures);
+        }
+    free(b);
+    return true;
+}
+
+/* ---- rows out */
+
+static double value(const void *row, const tr_measures_column *column) {
+    double v;
+    memcpy(&v, (const char *)row + column->offset, sizeof v);
+    return v;
+}
+
+void tr_measures_write_header(FILE *out) {
+    fputs("case", out);
+    for (int k = 0; k < TR_MOTION_COLUMNS; k++) fprintf(out, ",%s", tr_motion_columns[k].name);
+    for (int k = 0; k < TR_MEASURES_COLUMNS; k++) fprintf(out, ",%s", tr_measures_columns[k].name);
+    fputc('\n', out);
+}
+
+void tr_measures_write(FILE *out, const char *label, const tr_motion *motion, const tr_motion_measures *measures) {
+    size_t length = strlen(label);
+    bool plain =
+        length > 0 && !strpbrk(label, ",\"\r\n") && !strchr(" \t", label[0]) && !strchr(" \t", label[length - 1]);
+    if (plain)
+        fputs(label, out);
+    else
+        csv_fwrite(out, label, length);
+    for (int k = 0; k < TR_MOTION_COLUMNS; k++) fprintf(out, ",%.17g", value(motion, &tr_motion_columns[k]));
+    /* + 0.0: a zero has no sign in a table */
+    for (int k = 0; k < TR_MEASURES_COLUMNS; k++)
+        fprintf(out, ",%.17g", value(measures, &tr_measures_columns[k]) + 0.0);
+    fputc('\n', out);
+}
+
+/* ---- rows in */
+
+enum { MAX_CELLS = 1024, CHUNK = 1 << 16, MAX_CELL = 1 << 20, IGNORED = -1, CASE = TR_MOTION_COLUMNS };
+
+typedef struct reader {
+    const char *path;
+    FILE *out;
+    tr_status *st;
+    long line, row_line; /* of the cell being read, of the start of its row */
+    bool after_cr;       /* the next line feed belongs to the line that just ended */
+    int cell, n_cells;   /* number of the cell in its row; cells of the header, 0 before it */
+    int role[MAX_CELLS]; /* what the cells of a column are: number in tr_motion_columns, CASE, IGNORED */
+    /* rows that wait to be measured */
+    int n;
+    long lines[TR_TILE];
+    char label[TR_TILE][TR_CASE_LABEL];
+    tr_motion motion[TR_TILE];
+    tr_motion_measures measures[TR_TILE];
+} reader;
+
+/* path:line: error: ... */
+static bool fail(const reader *c, long line, const char *format, ...) __attribute__((format(printf, 3, 4)));
+static bool fail(const reader *c, long line, const char *format, ...) {
+    char text[512];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    return tr_status_fail(c->st, TR_BAD_CASE, "%.480s:%ld: error: %s", c->path, line, text);
+}
+
+/* A cell as a message may show it: short, and nothing that a terminal would obey. */
+static const char *shown(const char *text, char to[44]) {
+    int n = snprintf(to, 44, "%.40s%s", text, strlen(text) > 40 ? "..." : "");
+    for (int i = 0; i < n; i++)
+        if ((unsigned char)to[i] < ' ' || to[i] == 127) to[i] = '?';
+    return to;
+}
+
+static bool flush(reader *c) {
+    if (!tr_measures_motions(c->motion, c->n, c->measures, c->st)) return false;
+    for (int i = 0; i < c->n; i++) {
+        for (int k = 0; k < TR_MEASURES_COLUMNS; k++)
+            if (!isfinite(value(&c->measures[i], &tr_measures_columns[k])))
+                return fail(c, c->lines[i], "%s is not finite: the numbers of this row are too large or too small",
+                            tr_measures_columns[k].name);
+        tr_measures_write(c->out, c->label[i], &c->motion[i], &c->measures[i]);
+    }
+    c->n = 0;
+    if (!ferror(c->out)) return true;
+    return tr_status_fail(c->st, TR_FILE, "error: cannot write the measures: %s", strerror(errno));
+}
+
+static int role_of(const char *name) {
+    for (int k = 0; k < TR_MOTION_COLUMNS; k++)
+        if (!strcmp(name, tr_motion_columns[k].name)) return k;
+    return strcmp(name, "case") ? IGNORED : CASE;
+}
+
+static const char *column_name(int role) {
+    return role == CASE ? "case" : tr_motion_columns[role].name;
+}
+
+static bool header_cell(reader *c, const char *text) {
+    if (c->cell == MAX_CELLS) return fail(c, c->line, "more than %d columns", MAX_CELLS);
+    int role = role_of(text);
+    for (int k = 0; k < c->cell && role != IGNORED; k++)
+        if (c->role[k] == role) return fail(c, c->line, "column %s is there twice", text);
+    c->role[c->cell] = role;
+    return true;
+}
+
+static bool end_header(reader *c) {
+    char missing[128] = "";
+    for (int role = TR_MOTION_COLUMNS; role >= 0; role--) { /* case first */
+        int which = role == CASE ? CASE : TR_MOTION_COLUMNS - 1 - role, k = 0;
+        while (k < c->cell && c->role[k] != which) k++;
+        size_t used = strlen(missing);
+        if (k == c->cell) snprintf(missing + used, sizeof missing - used, "%s%s", used ? "," : "", column_name(which));
+    }
+    if (*missing)
+        return fail(c, c->row_line, "no column %s in the header line (cells are separated by commas)", missing);
+    c->n_cells = c->cell;
+    tr_measures_write_header(c->out);
+    return true;
+}
+
+/* A decimal number, or inf where a wall may be: not all that strtod takes. */
+static bool number(const reader *c, int role, const char *text, double *to) {
+    const char *name = column_name(role);
+    char show[44], *end;
+    bool decimal = strspn(text, "0123456789+-.eE") == strlen(text);
+    if (!*text) return fail(c, c->line, "%s is empty", name);
+    *to = strtod(text, &end);
+    if (*end || end == text || (!decimal && !isinf(*to)))
+        return fail(c, c->line, "%s is \"%s\", which is not a number", name, shown(text, show));
+    if (role <= 1 && !(*to > 0))
+        return fail(c, c->line, "%s is %s: a radius is above 0%s", name, shown(text, show),
+                    role == 0 ? " (a wall has R1 = inf)" : "");
+    if (isinf(*to) && decimal) return fail(c, c->line, "%s is %s, which is too large", name, shown(text, show));
+    if (isinf(*to) && role == 1) return fail(c, c->line, "R2 is inf: only body 1 can be a wall");
+    if (isinf(*to) && role != 0) return fail(c, c->line, "%s is %s: it must be finite", name, shown(text, show));
+    return true;
+}
+
+static bool row_cell(reader *c, const char *text, size_t length) {
+    if (c->cell >= c->n_cells) return true; /* counted at the end of the row */
+    int role = c->role[c->cell];
+    if (role == IGNORED) return true;
+    if (role == CASE) {
+        if (length >= TR_CASE_LABEL) return fail(c, c->line, "case has more than %d bytes", TR_CASE_LABEL - 1);
+        memcpy(c->label[c->n], text, length + 1);
+        return true;
+    }
+    double v = 0;
+    if (!number(c, role, text, &v)) return false;
+    memcpy((char *)&c->motion[c->n] + tr_motion_columns[role].offset, &v, sizeof v);
+    return true;
+}
+
+/* Lengths whose squares are neither infinite nor short of digits. */
+static bool in_range(double length) {
+    return length >= 1e-150 && length <= 1e150;
+}
+static const char out_of_range[] = "only 1e-150 m to 1e150 m can be measured";
+
+static bool end_row(reader *c) {
+    if (c->cell != c->n_cells)
+        return fail(c, c->row_line, "%d cell%s, but the header line has %d", c->cell, c->cell == 1 ? "" : "s",
+                    c->n_cells);
+    const tr_motion *m = &c->motion[c->n];
+    double distance = hypot(m->x2x - m->x1x, m->x2y - m->x1y);
+    if (distance == 0) return fail(c, c->row_line, "x1 and x2 coincide: there is no line of centres");
+    if (!in_range(distance)) return fail(c, c->row_line, "x1 and x2 are %.3g m apart: %s", distance, out_of_range);
+    if (!in_range(m->R1) && !is_wall(m)) return fail(c, c->row_line, "R1 is %.3g m: %s", m->R1, out_of_range);
+    if (!in_range(m->R2)) return fail(c, c->row_line, "R2 is %.3g m: %s", m->R2, out_of_range);
+    c->lines[c->n++] = c->row_line;
+    return c->n < TR_TILE || flush(c);
+}
+
+/* libcsv calls these; it cannot be stopped, so after a failure they do nothing. Cells end with a zero byte. */
+static void on_cell(void *cell, size_t length, void *data) {
+    reader *c = data;
+    const char *text = cell;
+    if (c->st->code) return;
+    c->after_cr = false;
+    if (c->cell == 0) c->row_line = c->line;
+    if (memchr(text, '\0', length))
+        fail(c, c->line, "a zero byte: not a text file in UTF-8 or ASCII");
+    else if (!c->n_cells)
+        header_cell(c, text);
+    else
+        row_cell(c, text, length);
+    for (size_t i = 0; i < length; i++) c->line += text[i] == '\n'; /* in quotes */
+    c->cell++;
+}
+
+/* After each carriage return and line feed, and at the end of the file (-1). Rows without cells are blank lines. */
+static void on_line(int end, void *data) {
+    reader *c = data;
+    if (c->st->code) return;
+    if (c->cell > 0) (void)(c->n_cells ? end_row(c) : end_header(c));
+    c->cell = 0;
+    if (!(end == '\n' && c->after_cr)) c->line++;
+    c->after_cr = end == '\r';
+}
+
+static bool parse(reader *c, struct csv_parser *csv, const char *text, size_t length) {
+    if (csv_parse(csv, text, length, on_cell, on_line, c) < length && !c->st->code) {
+        if (csv_error(csv) != CSV_EPARSE) return tr_status_fail(c->st, TR_FILE, "error: out of memory");
+        return fail(c, c->line, "a quote within a cell (write \"\" for it, and quotes around the cell)");
+    }
+    if (!c->st->code && csv_get_buffer_size(csv) > MAX_CELL)
+        return fail(c, c->line, "a cell of more than %d bytes: is a quote not closed?", MAX_CELL);
+    return !c->st->code;
+}
+
+static bool read_all(reader *c, FILE *in, struct csv_parser *csv) {
+    static const char mark[] = "\xEF\xBB\xBF"; /* of UTF-8, as spreadsheets write it */
+    char *chunk = tr_alloc(CHUNK, 1, c->st);
+    bool ok = chunk, first = true;
+    for (size_t n; ok && (n = fread(chunk, 1, CHUNK, in)) > 0; first = false) {
+        size_t skip = first && n >= 3 && !memcmp(chunk, mark, 3) ? 3 : 0;
+        ok = parse(c, csv, chunk + skip, n - skip);
+    }
+    if (ok && ferror(in)) ok = tr_status_fail(c->st, TR_FILE, "error: cannot read %s: %s", c->path, strerror(errno));
+    free(chunk);
+    if (!ok) return false;
+    if (csv_fini(csv, on_cell, on_line, c) && !c->st->code) return fail(c, c->line, "a quote that is not closed");
+    if (c->st->code) return false;
+    if (!c->n_cells) return fail(c, 1, "the file is empty; its first line names the columns: case,R1,R2,x1x,...");
+    return flush(c);
+}
+
+bool tr_measures_csv(const char *path, FILE *out, tr_status *st) {
+    FILE *in = fopen(path, "r");
+    if (!in) return tr_status_fail(st, TR_FILE, "error: cannot read %s: %s", path, strerror(errno));
+    struct csv_parser csv;
+    reader *c = tr_alloc(1, sizeof *c, st);
+    bool ok = false;
+    if (c && csv_init(&csv, CSV_STRICT | CSV_STRICT_FINI | CSV_REPALL_NL | CSV_APPEND_NULL) == 0) {
+        c->path = path, c->out = out, c->st = st, c->line = 1;
+        ok = read_all(c, in, &csv);
+        csv_free(&csv);
+    }
+    free(c);
+    fclose(in);
+    return ok;
+}
+
+/* ---- the card */
+
+/* The motions with body 1 at x1: betadot = spin of the line of centres. L: distance. Each slides or rolls at U. */
+typedef struct pure {
+    const char *name;
+    double overlap;      /* of R2 */
+    double beta, w1, w2; /* times U */
+    double Vr, Vs;       /* times U */
+} pure;
+
+static tr_motion pair_motion(const pure *p, double R1, double R2, double U) {
+    static const double nx = 0.6, ny = 0.8;
+    double L = R1 + R2 - p->overlap * R2, B = p->beta * U;
+    tr_motion m = {.R1 = R1, .R2 = R2, .x1x = 0.02, .x1y = -0.01, .w1 = p->w1 * U, .w2 = p->w2 * U};
+    m.x2x = m.x1x + L * nx, m.x2y = m.x1y + L * ny;
+    m.v2x = -B * L * ny, m.v2y = B * L * nx;
+    return m;
+}
+
+/* A disk on a horizontal floor; v along x. */
+static tr_motion floor_motion(double v, double w, double R2) {
+    return (tr_motion){
+        .R1 = INFINITY, .R2 = R2, .x1x = 0.02, .x1y = -0.01, .x2x = 0.02, .x2y = -0.01 + R2, .v2x = v, .w2 = w};
+}
+
+/* The same for an observer who moves and turns about the origin: all that moves gets a rigid motion. */
+static tr_motion seen_moving(tr_motion m) {
+    static const double ux = 0.03, uy = -0.02, W = 3;
+    m.v1x += ux - W * m.x1y, m.v1y += uy + W * m.x1x, m.w1 += W;
+    m.v2x += ux - W * m.x2y, m.v2y += uy + W * m.x2x, m.w2 += W;
+    return m;
+}
+
+static void add(tr_card_motion **next, const char *name, const char *size, tr_motion m, double Vr, double Vs) {
+    for (int moving = 0; moving < 2; moving++) {
+        tr_card_motion *c = (*next)++;
+        *c = (tr_card_motion){.name = name, .motion = moving ? seen_moving(m) : m, .Vr = Vr, .Vs = Vs};
+        snprintf(c->label, sizeof c->label, "%s%s %s", name, size, moving ? "(moving observer)" : "(resting observer)");
+    }
+}
+
+void tr_measures_card(tr_card_motion card[TR_CARD_MOTIONS]) {
+    static const double ratio[] = {1, 2, 10};
+    const double R2 = TR_CARD_R2, U = TR_CARD_U;
+    tr_card_motion *next = card;
+    for (int k = 0; k < 6; k++)
+        for (int r = 0; r < 3; r++) {
+            double R1 = ratio[r] * R2, L = R1 + R2, turn = 1 / L;
+            const pure all[] = {
+                {"RBR", 0, turn, turn, turn, 0, 0},
+                {"RBR overlap", 0.1, turn, turn, turn, 0, 0},
+                {"PR", 0, 0, 1 / R1, -1 / R2, 1, 0},
+                {"PS", 0, 0, turn, turn, 0, 1},
+                {"PR + RBR", 0, -1 / R1, 0, -L / (R1 * R2), 1, 0}, /* rolls over body 1, which rests */
+                {"PS + RBR", 0, -turn, 0, 0, 0, 1},                /* is carried round it without turning */
+            };
+            char size[24];
+            snprintf(size, sizeof size, " R1/R2=%g", ratio[r]);
+            add(&next, all[k].name, size, pair_motion(&all[k], R1, R2, U), all[k].Vr * U, all[k].Vs * U);
+        }
+    add(&next, "floor: rolling", "", floor_motion(U, -U / R2, R2), U, 0);
+    add(&next, "floor: sliding", "", floor_motion(U, 0, R2), 0, U);
+    add(&next, "floor: spinning", "", floor_motion(0, U / R2, R2), -U, U); /* in place: rolls back as it slides */
+    assert(next == card + TR_CARD_MOTIONS);
+}

@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: MIT */
+/* Every rolling and sliding measure of one motion of two bodies at a contact: of rows of a CSV file, and of the card of
+ * the pure motions. What a pass of laws/ computes comes from that pass, run over tiles as in an assembly.
+ *
+ * A measure needs no overlap: any distance of the centres above 0 will do.
+ *
+ * A wall is body 1 with R1 = INFINITY: the plane through x1 (the foot of the perpendicular from the disk) with its
+ * normal towards x2. It may move (v1, of its material at x1) and turn (w1). All is then as the wall sees it, but for
+ * beta_dot, which is the spin of its normal, w1; lambda_dot, alpha1_dot and alpha2_dot are the limits for R1 -> inf:
+ * 0, 0 and w2 - w1. */
+#ifndef TR_STUDY_MEASURES_H
+#define TR_STUDY_MEASURES_H
+
+#include "base/status.h"
+#include <stddef.h>
+#include <stdio.h>
+
+/* One motion; the names are the columns of the file. Radii and centres [m], velocities [m/s], spins [rad/s]. */
+typedef struct tr_motion {
+    double R1, R2, x1x, x1y, x2x, x2y, v1x, v1y, v2x, v2y, w1, w2;
+} tr_motion;
+
+/* Its measures, per unit time; the names are the columns of the file. n = X21/|X21|, t = n x k. Velocities [m/s];
+ * beta_dot, Vr_tordesillas, lambda_dot, alpha1_dot, alpha2_dot [rad/s]. */
+typedef struct tr_motion_measures {
+    double beta_dot;                      /* spin of the line of centres */
+    double Vt;                            /* (v2 - v1).t */
+    double da, db;                        /* arcs [Wang2015 eq. 17]: da = s1, db = -s2 */
+    double s1, s2;                        /* objective velocities [Wang2015 eqs. 23-24, t reversed] */
+    double Vr_wang;                       /* [Wang2015 eq. 11]; also Luding */
+    double Vs_wang;                       /* arms to the contact point: what friction uses */
+    double Vs_full_radii;                 /* [Wang2015 eq. 12] as printed: not objective where bodies overlap */
+    double Vr_bagi_kuhn;                  /* (s1 + s2)/2 [Wang2015 eqs. 16, 19a] */
+    double Us_iwashita_oda;               /* (da + db)/2 [Wang2015 eq. 19b] */
+    double Vr_alonso_min, Vr_alonso_mean; /* two readings of [Wang2015 model 2] */
+    double Vs_alonso;                     /* s1 - s2 */
+    double Vr_tordesillas;                /* w1 - w2 [Wang2015 eq. 25]: an angle */
+    double Vr_jiang;                      /* [Wang2015 eq. 26] */
+    double Us_jiang;                      /* [Wang2015 eq. 27] */
+    double Vroll_kuhn;                    /* -(da - db)/2: material through the contact, along t [Kuhn2014 eq. 5] */
+    double lambda_dot, alpha1_dot, alpha2_dot; /* pure sliding and pure rolling parts [Wang2015 eq. 8] */
+} tr_motion_measures;
+
+/* A column of the file and its double in the struct. */
+typedef struct tr_measures_column {
+    const char *name;
+    size_t offset;
+} tr_measures_column;
+
+enum { TR_MOTION_COLUMNS = 12, TR_MEASURES_COLUMNS = 21, TR_CASE_LABEL = 256 };
+extern const tr_measures_column tr_motion_columns[TR_MOTION_COLUMNS], tr_measures_columns[TR_MEASURES_COLUMNS];
+
+/* measures[i] of motion[i], i < n. Motions must be finite (but for R1), radii and distances above 0. TR_FILE when
+ * memory is short. */
+bool tr_measures_motions(const tr_motion *motion, int n, tr_motion_measures *measures, tr_status *st);
+
+/* A row as CSV, 17 significant digits: case, motion, measures. */
+void tr_measures_write_header(FILE *out);
+void tr_measures_write(FILE *out, const char *label, const tr_motion *motion, const tr_motion_measures *measures);
+
+/* Reads the table at path and writes it with its measures to out; columns in any order, others than `case` and those of
+ * tr_motion are left out of the result. Rows stream: memory does not grow with the file. On failure (TR_BAD_CASE with
+ * "path:line: error: ...", or TR_FILE) rows may have been written. */
+bool tr_measures_csv(const char *path, FILE *out, tr_status *st);
+
+/* ---- the card: pure motions [Wang2015 eqs. 1-6, 14-15] */
+
+typedef struct tr_card_motion {
+    const char *name; /* "PR + RBR", "floor: rolling" */
+    char label[48];   /* the row's `case` in CSV */
+    tr_motion motion;
+    double Vr, Vs; /* what the definition of the motion says [m/s] */
+} tr_card_motion;
+
+enum { TR_CARD_MOTIONS = 42 }; /* of each two in a row: as a resting, and as a moving and turning observer sees it */
+#define TR_CARD_R2 0.01        /* radius of disk 2 [m] */
+#define TR_CARD_U 0.01         /* speed of each motion [m/s] */
+void tr_measures_card(tr_card_motion card[TR_CARD_MOTIONS]);
+
+#endif
