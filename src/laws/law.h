@@ -124,9 +124,8 @@ extern const int tr_n_rolling_velocities, tr_n_sliding_velocities;
 const tr_param_catalog *tr_laws_catalog(void);
 
 /* The passes that every scene has; they use no data. */
-tr_pass_run tr_kinematics_pair; /* two disks */
-tr_pass_run
-    tr_kinematics_wall; /* body 1 is a plane: gather writes nx, ny, and the distance of the centre into dx */
+tr_pass_run tr_kinematics_pair;   /* two disks */
+tr_pass_run tr_kinematics_wall;   /* body 1 is a plane: gather writes nx, ny, and the distance of the centre into dx */
 tr_pass_run tr_resultant_central; /* normal force alone: no torque */
 tr_pass_run tr_resultant_full;
 tr_pass_run tr_resultant_rolling_force; /* the same, with the force f_r of the rolling law */

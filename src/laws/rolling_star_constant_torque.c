@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A constant moment against the relative spin. Source [STARCCM2021 eq. 3276], "constant torque".
+/* A constant moment against the relative spin. Source [STARCCM eq. 3276], "constant torque".
  *
  *   M1 = -mu_r R_eq f_n w_rel/|w_rel|,   M2 = -M1,   w_rel = w1 - w2
  *   moment limiter (off unless chosen): |M| <= limiter_factor min(I1 |w1|, I2 |w2|)/dt, walls skipped
@@ -83,7 +83,7 @@ static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *bodies) {
 const tr_law tr_rolling_star_constant_torque = {
     .table = {"star-constant-torque", "moment mu_r R_eq f_n against the relative spin", params,
               sizeof params / sizeof *params},
-    .source = "[STARCCM2021 eq. 3276]",
+    .source = "[STARCCM eq. 3276]",
     .formula =
         "M1 = -mu_r R_eq f_n w_rel/|w_rel|, M2 = -M1, w_rel = w1 - w2; at w_rel = 0 what stops it within the step\n"
         "limiter: |M| <= limiter_factor min(I1 |w1|, I2 |w2|)/dt, walls skipped",

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A torsional spring-slider whose stiffness follows the normal force, and a viscous moment. Source [STARCCM2021 eqs.
+/* A torsional spring-slider whose stiffness follows the normal force, and a viscous moment. Source [STARCCM eqs.
  * 3277-3278], "displacement damping".
  *
  *   M_k <- M_k - k_r w_rel dt, clamped to |M_k| <= k_r theta_max,   k_r = mu_r R_eq f_n/theta_max,   w_rel = w1 - w2
@@ -93,7 +93,7 @@ static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *bodies) {
 const tr_law tr_rolling_star_displacement_damping = {
     .table = {"star-displacement-damping", "torsional spring to mu_r R_eq f_n, stiffness following f_n, and dashpot",
               params, sizeof params / sizeof *params},
-    .source = "[STARCCM2021 eqs. 3277-3278]",
+    .source = "[STARCCM eqs. 3277-3278]",
     .formula = "M_k <- M_k - k_r w_rel dt, |M_k| <= k_r theta_max, k_r = mu_r R_eq f_n/theta_max, w_rel = w1 - w2\n"
                "M_d = -damping_factor C w_rel (damping_multiplier times that at the bound), C = 2 sqrt(I_r k_r)\n"
                "1/I_r = 1/(I1 + m1 R1^2) + 1/(I2 + m2 R2^2); M1 = M_k + M_d, M2 = -M1",

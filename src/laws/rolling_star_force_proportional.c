@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A moment against each body's own spin. Source [STARCCM2021 eq. 3275], "force proportional".
+/* A moment against each body's own spin. Source [STARCCM eq. 3275], "force proportional".
  *
  *   M_p = -mu_r f_n |r_c| w_p/|w_p|
  *
@@ -71,7 +71,7 @@ static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *bodies) {
 const tr_law tr_rolling_star_force_proportional = {
     .table = {"star-force-proportional", "moment mu_r f_n times the arm, against each body's own spin", params,
               sizeof params / sizeof *params},
-    .source = "[STARCCM2021 eq. 3275]",
+    .source = "[STARCCM eq. 3275]",
     .formula = "M_p = -mu_r f_n |r_c| w_p/|w_p| on each body p, |r_c| its arm to the contact point\n"
                "at w_p = 0 what stops the spin within the step",
     .differs = "Eq. 3275 is printed without the minus. Neither objective nor balanced, as documented by its source.",

@@ -58,9 +58,10 @@ const tr_law tr_rolling_wang_spring = {
     .source = "[Wang2015 eq. 28] [Luding2008]",
     .formula = "T <- T + k_r V_r dt, clamped to |T| <= mu_r f_n\n"
                "moments -R_eff T on 1, +R_eff T on 2; R_eff = R1 R2/(R1 + R2), R2 at a wall",
-    .differs = "Eq. 28 compares a torque with a force and stops incrementing at the bound, which locks; here the trial "
-               "value is clamped. The lever is not printed; R_eff makes T conjugate to rolling_velocity: wang, for which "
-               "the claim on energy is made.",
+    .differs =
+        "Eq. 28 compares a torque with a force and stops incrementing at the bound, which locks; here the trial "
+        "value is clamped. The lever is not printed; R_eff makes T conjugate to rolling_velocity: wang, for which "
+        "the claim on energy is made.",
     .claims = TR_RATE_INDEPENDENT | TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
     .n_hist = 1,
     .needs = TR_NEEDS_V_R,

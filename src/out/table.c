@@ -69,6 +69,7 @@ void tr_row_contact(tr_row *row, double time, double strain, const tr_record *c)
     tr_row_add(row, c->delta, "overlap_m");
     tr_row_add(row, c->f_n, "f_n_N_per_m");
     tr_row_add(row, c->f_t, "f_t_N_per_m");
+    tr_row_add(row, c->f_r, "f_r_N_per_m"); /* along t, of a rolling law */
     tr_row_add(row, c->m1, "moment_a_N");
     tr_row_add(row, c->m2, "moment_b_N");
     tr_row_add(row, c->v_s, "v_s_m_per_s");

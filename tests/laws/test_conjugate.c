@@ -209,7 +209,7 @@ static void test_ledger(void **state) {
 }
 
 /* A pair and a disk on a wall, swinging along t and in their spins: stable below the bound, unstable just above. */
-static bool grows(double R1, double share) {
+static bool grows(double R1, double k_t, double share) {
     tr_world w;
     double R2 = 0.01;
     new_world(&w, R1 > 0 ? 2 : 1);
@@ -217,7 +217,7 @@ static bool grows(double R1, double share) {
     if (R1 > 0) tr_world_set_disk(&w, 0, 0, 0, 0, R1, 1000, false);
     tr_world_set_disk(&w, last, 0, R1 + R2 - 1e-5, 0, R2, 1000, false);
     if (R1 == 0) w.wall[0] = (tr_wall){.ny = 1}, w.n_walls = 1;
-    tr_scene_contact c = contact_of((test_laws){.k_n = 1e3, .damping_ratio = 0});
+    tr_scene_contact c = contact_of((test_laws){.k_n = 1e3, .mu = k_t > 0 ? 100 : 0, .k_t = k_t});
     c.rolling = law_named(tr_laws_rolling, tr_laws_catalog()->n_rolling, "bagi-kuhn-conjugate");
     set_parameter(&c.rolling, &law()->table, "mu_r", 100), set_parameter(&c.rolling, &law()->table, "k_r", 1e7);
     tr_status st = {0};
@@ -239,8 +239,10 @@ static void test_stability_bound(void **state) {
     (void)state;
     static const double radii[] = {0, 0.01, 0.02, 0.1};
     for (int k = 0; k < 4; k++) {
-        assert_false(grows(radii[k], 0.99));
-        assert_true(grows(radii[k], 1.05));
+        for (double k_t = 0; k_t <= 1e7; k_t += 1e7) {
+            assert_false(grows(radii[k], k_t, 0.99));
+            assert_true(grows(radii[k], k_t, radii[k] > 0 ? 1.05 : 1.02)); /* pairs: L is taken at its least */
+        }
     }
 }
 

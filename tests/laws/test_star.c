@@ -203,6 +203,21 @@ static void test_swing(void **state) {
     }
 }
 
+/* The bound on the step knows the spring at the largest overlap, 0.3 R, and its dashpot. */
+static void test_bound_on_the_step(void **state) {
+    (void)state;
+    for (int damping = 0; damping < 2; damping++) {
+        star s = {.name = DD, .mu_r = 1, .theta_max = 0.035, .damping_factor = 0.4, .damping = damping};
+        tr_world w;
+        on_floor(&w, 0, s);
+        forces(&w);
+        double k_r = 2 * RADIUS * K * 0.3 * RADIUS / s.theta_max, omega2 = k_r / inertia();
+        double d = damping * 0.4 * 2 * sqrt(3 * inertia() * k_r) / inertia();
+        assert_close(tr_timestep_contacts(&w).dt, (sqrt(d * d + 4 * omega2) - d) / omega2, 1e-12, 0);
+        tr_world_free(&w);
+    }
+}
+
 /* ---- one step by hand: pairs of unequal disks, all options */
 
 typedef struct one_step {
@@ -413,6 +428,7 @@ int main(void) {
         cmocka_unit_test(test_spinning_disk),
         cmocka_unit_test(test_coasting_disk),
         cmocka_unit_test(test_swing),
+        cmocka_unit_test(test_bound_on_the_step),
         cmocka_unit_test(test_force_proportional_by_hand),
         cmocka_unit_test(test_constant_torque_by_hand),
         cmocka_unit_test(test_displacement_damping_by_hand),

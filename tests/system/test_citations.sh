@@ -10,7 +10,7 @@ root=${1:-.}
 # Keys are a name and a year. The bracket may hold more behind the key; several keys may share it: [A2001, B2002].
 cited() {
     find "$root/src" \( -name '*.[ch]' -o -name '*.cpp' \) -exec cat {} + | tr '\n' ' ' | grep -oE '\[[A-Z][^][]*\]' |
-        grep -oE '\<[A-Z][A-Za-z]+(1[89]|20)[0-9][0-9][a-z]?\>' | sort -u
+        grep -oE '\<([A-Z][A-Za-z]+(1[89]|20)[0-9][0-9][a-z]?|STARCCM)\>' | sort -u # a page without a year
 }
 entries() { sed -n 's/^@[a-z]*{\([^,]*\),.*/\1/p' "$root/src/references.bib" | sort; }
 
