@@ -132,7 +132,7 @@ tr_law_data tr_group_data(const tr_group *group, const tr_slot *slot) {
 double *tr_slot_value(const tr_law *law, double par[TR_LAW_PAR], const char *key) {
     for (int k = 0; k < law->table.n; k++)
         if (law->table.params[k].type == TR_REAL && !strcmp(law->table.params[k].key, key))
-            return (double *)((char *)par + law->table.params[k].offset);
+            return (double *)(void *)((char *)par + law->table.params[k].offset);
     return NULL;
 }
 
