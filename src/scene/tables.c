@@ -77,7 +77,7 @@ static const tr_param gravity[] = {
 
 #define STRUCT tr_scene_step
 static const tr_param step[] = {
-    {"safety", TR_REAL, TR_DIM_NUMBER, "1", "0.5", 1e-6, 1, NULL, AT(safety), "time step over its stability bound"},
+    {"safety", TR_REAL, TR_DIM_NUMBER, "1", "0.4", 1e-6, 1, NULL, AT(safety), "time step over its stability bound"},
     {"dt", TR_REAL, TR_DIM_TIME, "s", "0", 0, 1e6, NULL, AT(dt), "time step; 0: safety times the bound"},
     {"allow_unstable", TR_SWITCH, TR_DIM_NUMBER, "", "no", 0, 0, NULL, AT(allow_unstable),
      "run a dt above the bound all the same"},

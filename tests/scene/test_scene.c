@@ -73,7 +73,7 @@ static void defaults(void **state) {
     assert_close(s.shear.inertial_number, 1e-3, 0, 0);
     assert_close(s.shear.strain_end, 0.2, 0, 0);
     assert_int_equal(s.shear.walls, 0);
-    assert_close(s.step.safety, 0.5, 0, 0);
+    assert_close(s.step.safety, 0.4, 0, 0);
     assert_close(s.step.dt, 0, 0, 0);
     assert_false(s.step.allow_unstable);
     assert_int_equal(s.output.frames, 20);

@@ -85,7 +85,7 @@ fi
 check 'overlap at the start' refused 4 'contact of wall 0 with disk 0' bodies.yaml --set 'disks.0.y=5 mm'
 check 'says what, step and time' says stderr 'overlap 0.005 m is above 0.3 of the radius 0.01 m, at step 0, time 0 s'
 check '--check finds it too' fails 4 'overlap' bodies.yaml --check --set 'disks.0.y=5 mm'
-thrown='--set time_end=0.2s --set disks.0.y=100mm --set disks.0.vy=-4.9 --set gravity.y=0'
+thrown='--set step.safety=0.5 --set time_end=0.2s --set disks.0.y=100mm --set disks.0.vy=-4.9 --set gravity.y=0'
 # shellcheck disable=SC2086 # a list of options
 check 'overlap on the way' fails 4 'contact of wall 0 with disk 0' bodies.yaml -o thrown --frames 3 $thrown --set output.rows=1000
 check 'says what is kept' says stderr 'kept in thrown:'
