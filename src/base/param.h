@@ -28,6 +28,8 @@ typedef struct tr_dim {
     { 0, 1, -2 }
 #define TR_DIM_DENSITY                                                                                                 \
     { 1, -3, 0 }
+#define TR_DIM_LINE_FORCE                                                                                              \
+    { 1, 0, -2 }
 #define TR_DIM_PRESSURE                                                                                                \
     { 1, -1, -2 }
 #define TR_DIM_STIFFNESS                                                                                               \

@@ -10,8 +10,9 @@
 #include <unistd.h>
 
 /* All that a run writes, the mark of a finished run first: an interrupted removal leaves an unfinished run. */
-static const char *const results[] = {"summary.json", "history.csv", "contacts.csv", "case.yaml", "plot.gp",
-                                      "biaxial.svg",  "biaxial.png", "biaxial.mp4",  "bodies.mp4"};
+static const char *const results[] = {"summary.json", "history.csv", "contacts.csv", "case.yaml",
+                                      "plot.gp",      "biaxial.svg", "biaxial.png",  "biaxial.mp4",
+                                      "bodies.mp4",   "contact.csv", "contact.svg",  "contact.png"};
 
 bool tr_dir_path(char path[TR_PATH], const char *dir, const char *name, tr_status *st) {
     if (snprintf(path, TR_PATH, "%s/%s", dir, name) < TR_PATH) return true;

@@ -14,7 +14,7 @@
 
 extern char **environ;
 
-static const char script[] =
+static const char biaxial_script[] =
     "# SPDX-License-Identifier: MIT\n"
     "# Curves of the biaxial test. Run in this directory: gnuplot plot.gp\n"
     "if (!exists('part')) { part = '' }\n"
@@ -42,6 +42,43 @@ static const char script[] =
     "    unset multiplot\n"
     "    unset output\n"
     "    unset xlabel\n"
+    "}\n";
+
+static const char contact_script[] =
+    "# SPDX-License-Identifier: MIT\n"
+    "# All laws along the path of one contact. Run in this directory: gnuplot plot.gp\n"
+    "if (!exists('part')) { part = '' }\n"
+    "set datafile separator ','\n"
+    "array out[2] = ['contact.svg'.part, 'contact.png'.part]\n"
+    "array colors[7] = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#000000']\n"
+    "height = 330*(2 + rolling)\n"
+    "do for [k = 1:2] {\n"
+    "    if (k == 1) { set terminal svg size 900,height font 'DejaVu Sans,17' enhanced background '#ffffff' }\n"
+    "    if (k == 2) { set terminal pngcairo size 1350,3*height/2 font 'DejaVu Sans,20' enhanced linewidth 1.5 }\n"
+    "    set output out[k]\n"
+    "    set multiplot layout 2 + rolling,1 margins 0.17,0.96,0.09,0.97 spacing 0.09\n"
+    "    set grid linecolor '#d0d0d0'\n"
+    "    set key bottom right box linecolor '#d0d0d0' opaque width 1 height 0.3 noenhanced\n"
+    "    set xlabel 'sliding u_{slide} (µm)'\n"
+    "    set ylabel 'friction Q (N/m)'\n"
+    "    plot for [i = 1:laws] 'contact.csv' skip 1 every laws::i - 1 using (1e6*$4):7 with lines linewidth 2.5 \\\n"
+    "        linecolor rgb colors[1 + (i - 1)%7] dashtype 1 + (i - 1)/7 title label[i]\n"
+    "    unset key\n"
+    "    set xlabel 'step of the path'\n"
+    "    set ylabel 'Q/(μP), its bound is ±1'\n"
+    "    set yrange [-1.05:1.05]\n"
+    "    plot for [i = 1:laws] 'contact.csv' skip 1 every laws::i - 1 using 2:($7 < 0 ? -$8 : $8) with lines \\\n"
+    "        linewidth 2.5 linecolor rgb colors[1 + (i - 1)%7] dashtype 1 + (i - 1)/7\n"
+    "    set yrange [*:*]\n"
+    "    set xlabel 'rolling u_{roll} (µm)'\n"
+    "    set ylabel 'moment on body 1 (N)'\n"
+    "    if (rolling) {\n"
+    "        plot for [i = 1:laws] 'contact.csv' skip 1 every laws::i - 1 using (1e6*$5):10 with lines linewidth 2.5 "
+    "\\\n"
+    "            linecolor rgb colors[1 + (i - 1)%7] dashtype 1 + (i - 1)/7\n"
+    "    }\n"
+    "    unset multiplot\n"
+    "    unset output\n"
     "}\n";
 
 bool tr_plot_available(void) {
@@ -79,9 +116,11 @@ static bool is_whole(const char *path, const char *end, size_t size) {
     return whole;
 }
 
-/* The picture gets its name; with gnuplot's code != 0 it is removed. */
-static bool keep(const char *dir, const char *name, const char *end, size_t size, int code, tr_status *st) {
-    char path[TR_PATH];
+/* The picture stem + end of name gets its name; with gnuplot's code != 0 it is removed. */
+static bool keep(const char *dir, const char *stem, const char *ending, const char *end, size_t size, int code,
+                 tr_status *st) {
+    char name[32], path[TR_PATH];
+    snprintf(name, sizeof name, "%s%s", stem, ending);
     if (!tr_dir_path(path, dir, name, st)) return false;
     char *part = tr_part_name(path, st);
     bool ok = part != NULL;
@@ -95,13 +134,26 @@ static bool keep(const char *dir, const char *name, const char *end, size_t size
     return ok;
 }
 
-bool tr_plot_biaxial(const char *dir, const char *caption, double strain_end, int *code, tr_status *st) {
+/* Runs plot.gp, and names its two pictures. */
+static bool draw(const char *dir, const char *stem, int *code, tr_status *st) {
     static const char svg_end[] = "</svg>\n\n", png_end[] = "IEND\xae\x42\x60\x82";
+    *code = run_gnuplot(dir);
+    bool svg = keep(dir, stem, ".svg", svg_end, sizeof svg_end - 1, *code, st);
+    return keep(dir, stem, ".png", png_end, sizeof png_end - 1, *code, st) && svg;
+}
+
+bool tr_plot_biaxial(const char *dir, const char *caption, double strain_end, int *code, tr_status *st) {
     tr_file file;
     if (!tr_file_open(&file, dir, "plot.gp", st)) return false;
-    fprintf(file.stream, "caption = '%s'\nstrain_end = %g\n%s", caption, strain_end, script);
-    if (!tr_file_commit(&file, st)) return false;
-    *code = run_gnuplot(dir);
-    bool svg = keep(dir, "biaxial.svg", svg_end, sizeof svg_end - 1, *code, st);
-    return keep(dir, "biaxial.png", png_end, sizeof png_end - 1, *code, st) && svg;
+    fprintf(file.stream, "caption = '%s'\nstrain_end = %g\n%s", caption, strain_end, biaxial_script);
+    return tr_file_commit(&file, st) && draw(dir, "biaxial", code, st);
+}
+
+bool tr_plot_contact(const char *dir, const char *const *label, int n_laws, bool rolling, int *code, tr_status *st) {
+    tr_file file;
+    if (!tr_file_open(&file, dir, "plot.gp", st)) return false;
+    fprintf(file.stream, "laws = %d\nrolling = %d\narray label[laws]\n", n_laws, rolling);
+    for (int i = 0; i < n_laws; i++) fprintf(file.stream, "label[%d] = '%s'\n", i + 1, label[i]);
+    fputs(contact_script, file.stream);
+    return tr_file_commit(&file, st) && draw(dir, "contact", code, st);
 }

@@ -35,6 +35,7 @@ static json_t *begin(const tr_scene *scene, const char *kind) {
     json_t *o = json_object();
     json_object_set_new(o, "version", json_string(TR_VERSION));
     json_object_set_new(o, "kind", json_string(kind));
+    if (scene->kind == TR_KIND_CONTACT) return o; /* nothing there is random */
     char seed[24]; /* JSON text has no limit, but jansson's integers are signed: the upper half as a string */
     snprintf(seed, sizeof seed, "%llu", (unsigned long long)scene->seed);
     bool fits = scene->seed <= INT64_MAX;
@@ -130,5 +131,30 @@ char *tr_summary_bodies(const tr_scene *scene, const tr_bodies *b, const tr_timi
     json_object_set_new(o, "steps", json_integer(b->steps));
     json_object_set_new(o, "contact_updates", json_integer(b->world.contact_updates));
     add_pipeline(o, &b->world);
+    return finish(o, timing, st);
+}
+
+char *tr_summary_contact(const tr_scene *scene, int64_t steps, const tr_path_result *law, const tr_timing *timing,
+                         tr_status *st) {
+    json_t *o = begin(scene, "contact"), *laws = json_array();
+    json_object_set_new(o, "segments", json_integer(scene->n_segments));
+    json_object_set_new(o, "steps", json_integer(steps));
+    add(o, "E_star_Pa", scene->pair.E_star);
+    add(o, "R_star_m", scene->pair.R_star);
+    for (int i = 0; i < scene->n_laws; i++) {
+        const tr_path_result *r = &law[i];
+        json_t *l = json_object();
+        json_object_set_new(l, "friction", json_string(r->friction));
+        json_object_set_new(l, "rolling", json_string(r->rolling));
+        if (r->rolling_velocity) json_object_set_new(l, "rolling_velocity", json_string(r->rolling_velocity));
+        add(l, "Q_end_N_per_m", r->Q_end);
+        add(l, "q_end", r->q_end);
+        add(l, "Q_max_N_per_m", r->Q_max);
+        add(l, "moment_1_end_N", r->moment_1_end);
+        add(l, "moment_2_end_N", r->moment_2_end);
+        add(l, "moment_max_N", r->moment_max);
+        json_array_append_new(laws, l);
+    }
+    json_object_set_new(o, "laws", laws);
     return finish(o, timing, st);
 }

@@ -9,7 +9,7 @@
 
 typedef struct tr_timing {
     double wall_s,
-        contact_updates_per_s; /* of the shear (biaxial) or the whole run (bodies), outputs left out of the latter */
+        contact_updates_per_s; /* of the shear (biaxial) or the whole run (bodies, contact), outputs left out of bodies */
 } tr_timing;
 
 /* Rows of the shear as the summary needs them. */
@@ -27,6 +27,13 @@ typedef struct tr_strength {
     double residual_from;    /* strain at which the last quarter starts */
 } tr_strength;
 
+/* What a law did on the path of a contact. */
+typedef struct tr_path_result {
+    const char *friction, *rolling, *rolling_velocity; /* rolling_velocity NULL: the law does not use it */
+    double Q_end, q_end, Q_max;                        /* friction at the end, over its bound, greatest size [N/m] */
+    double moment_1_end, moment_2_end, moment_max;     /* rolling moments [N] */
+} tr_path_result;
+
 tr_strength tr_summary_strength(const tr_series *series);
 
 /* Text of summary.json (free()); NULL: out of memory. energy may be NULL. All but "timing" is the same
@@ -35,5 +42,7 @@ char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, 
                          const tr_strength *strength, double mean_stress_2, const tr_energy *energy,
                          const tr_timing *timing, tr_status *st);
 char *tr_summary_bodies(const tr_scene *scene, const tr_bodies *b, const tr_timing *timing, tr_status *st);
+char *tr_summary_contact(const tr_scene *scene, int64_t steps, const tr_path_result *law, const tr_timing *timing,
+                         tr_status *st);
 
 #endif

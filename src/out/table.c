@@ -18,10 +18,20 @@ void tr_row_header(const tr_row *row, tr_file *file) {
     for (int i = 0; i < row->n; i++) fprintf(file->stream, "%s%c", row->cell[i].name, i + 1 < row->n ? ',' : '\n');
 }
 
-bool tr_row_write(const tr_row *row, tr_file *file, tr_status *st) {
+static void write_cells(const tr_row *row, tr_file *file, int digits) {
     tr_row_header(row, file);
-    for (int i = 0; i < row->n; i++) fprintf(file->stream, "%.9g%c", row->cell[i].value, i + 1 < row->n ? ',' : '\n');
+    for (int i = 0; i < row->n; i++)
+        fprintf(file->stream, "%.*g%c", digits, row->cell[i].value, i + 1 < row->n ? ',' : '\n');
+}
+
+bool tr_row_write(const tr_row *row, tr_file *file, tr_status *st) {
+    write_cells(row, file, 9);
     return tr_file_check(file, st);
+}
+
+bool tr_row_write_exact(const tr_row *row, tr_file *file, tr_status *st) {
+    write_cells(row, file, 17);
+    return !ferror(file->stream) || tr_file_check(file, st);
 }
 
 void tr_row_biaxial(tr_row *row, const tr_biaxial_state *s, const tr_measures *m, const tr_energy *e) {

@@ -29,6 +29,9 @@ void tr_row_header(const tr_row *row, tr_file *file);
 /* Writes the header first when it is the first row of the file. */
 bool tr_row_write(const tr_row *row, tr_file *file, tr_status *st);
 
+/* The same with 17 digits, which read back to the same bits. */
+bool tr_row_write_exact(const tr_row *row, tr_file *file, tr_status *st);
+
 /* One row of history.csv of a biaxial test; energy may be NULL. */
 void tr_row_biaxial(tr_row *row, const tr_biaxial_state *state, const tr_measures *measures, const tr_energy *energy);
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Case text to tr_scene: text -> tree -> (--set) -> entries -> values.
  *
- * Which keys there are depends on `kind`, and in `contact` on the laws chosen, so those are resolved first. Every key
+ * Which keys there are depends on `kind`, and beside laws on the laws chosen, so those are resolved first. Every key
  * of the case becomes an entry (resolve.h); then all entries are resolved, in any order. */
 #include "base/alloc.h"
 #include "scene/resolve.h"
@@ -25,8 +25,8 @@ typedef struct reader {
     tr_status *st;
 } reader;
 
-static void *field(tr_scene *scene, size_t offset) {
-    return (char *)scene + offset;
+static void *field(void *base, size_t offset) {
+    return (char *)base + offset;
 }
 
 /* Only the last scope opened can take entries. */
@@ -37,7 +37,8 @@ static tr_scope *open_scope(reader *c, const char *section, int item, const tr_n
 }
 
 /* Rows whose values live in *base; base NULL: of a law that is not chosen. Laws may share a key: then they share its
- * text and the default of the first, and a law that is not chosen has no say. */
+ * text and the default of the first, and a law that is not chosen has no say. What has no default, but a namesake at
+ * the root, is by default as that. */
 static void add_rows(reader *c, tr_scope *s, const tr_param *params, int n, void *base, const char *law) {
     for (int i = 0; i < n; i++) {
         const tr_entry *first = tr_resolve_entry(s, params[i].key);
@@ -46,16 +47,29 @@ static void add_rows(reader *c, tr_scope *s, const tr_param *params, int n, void
         c->n_entries++;
         *e = (tr_entry){.param = &params[i], .scope = s, .law = base ? NULL : law};
         e->fallback = first ? first->fallback : params[i].fallback;
+        if (!e->fallback && s != c->r.scopes && tr_resolve_entry(c->r.scopes, params[i].key))
+            e->fallback = params[i].key;
         e->node = tr_tree_find(s->node, params[i].key);
         e->value = base ? (char *)base + params[i].offset : (char *)&e->scratch;
     }
 }
 
-static bool add_laws(reader *c, tr_scope *s) {
+/* Rows that only stand for an expression. */
+static void add_derived(reader *c, tr_scope *s, const tr_param *params, int n, void *base) {
+    for (int i = 0; i < n; i++) {
+        tr_entry *e = &s->entries[s->n++];
+        c->n_entries++;
+        *e = (tr_entry){.param = &params[i], .fallback = params[i].fallback, .scope = s, .derived = true};
+        e->value = base ? field(base, params[i].offset) : &e->scratch;
+    }
+}
+
+/* The parameters of the laws of a tr_scene_contact at base. */
+static bool add_laws(reader *c, tr_scope *s, void *base, int first_slot) {
     for (int chosen = 1; chosen >= 0; chosen--) {
-        for (int k = 0; k < TR_SLOTS; k++) {
+        for (int k = first_slot - 1; k < TR_SLOTS; k++) {
             tr_law_place slot = tr_tables_slot(c->r.catalog, k);
-            tr_scene_law *law = field(c->scene, slot.offset);
+            tr_scene_law *law = field(base, slot.offset);
             if (chosen && !tr_resolve(&c->r, tr_resolve_entry(s, slot.key), NULL)) return false;
             for (int i = 0; i < slot.n; i++) {
                 const tr_param_table *t = slot.laws[i];
@@ -94,23 +108,30 @@ static void offer(char *list, size_t size, tr_near *near, const char *wanted, co
 static bool unknown_key(reader *c, const tr_scope *s, const tr_node *child) {
     char list[200] = "";
     tr_near near = {NULL, 0};
-    for (int i = 0; i < s->n; i++) offer(list, sizeof list, &near, child->key, s->entries[i].param->key);
+    for (int i = 0; i < s->n; i++)
+        if (!s->entries[i].derived) offer(list, sizeof list, &near, child->key, s->entries[i].param->key);
     for (int i = 0; i < tr_n_sections && !*s->section; i++) {
         const tr_section *t = &tr_sections[i];
         bool repeated = i && strcmp(t->key, t[-1].key) == 0;
         if (*t->key && (t->kinds & c->kind) && !repeated) offer(list, sizeof list, &near, child->key, t->key);
     }
     tr_shown key = tr_resolve_name(s, child->key);
+    tr_shown kind = {{0}};
+    tr_tables_choice(c->r.catalog, tr_sections[0].params, (int)c->scene->kind, &kind);
     if (for_other_kind(s, child->key))
-        return tr_text_fail(c->st, child->key_mark, "`%s` is not for `kind: %s`; allowed here: %s", key.text,
-                            c->kind == TR_FOR_BIAXIAL ? "biaxial" : "bodies", list);
+        return tr_text_fail(c->st, child->key_mark, "`%s` is not for `kind: %s`; allowed here: %s", key.text, kind.text,
+                            list);
     return tr_text_fail(c->st, child->key_mark, "unknown key `%s`%s; allowed here: %s", key.text,
                         tr_text_hint(&near).text, list);
 }
 
 static bool check_keys(reader *c, const tr_scope *s) {
     for (const tr_node *child = s->node ? s->node->child : NULL; child; child = child->next) {
-        bool known = tr_resolve_entry(s, child->key);
+        const tr_entry *e = tr_resolve_entry(s, child->key);
+        if (e && e->derived)
+            return tr_text_fail(c->st, child->key_mark, "`%s` follows from other keys, %s, and cannot be given",
+                                tr_resolve_name(s, child->key).text, e->fallback);
+        bool known = e;
         for (int i = 0; i < tr_n_sections && !known && !*s->section; i++)
             known = (tr_sections[i].kinds & c->kind) && strcmp(tr_sections[i].key, child->key) == 0;
         if (!known) return unknown_key(c, s, child);
@@ -136,7 +157,7 @@ static bool read_mapping(reader *c, const tr_section *t) {
     for (const tr_section *u = t; u < tr_sections + tr_n_sections && strcmp(u->key, t->key) == 0; u++) {
         if (u->kinds & c->kind) add_rows(c, s, u->params, u->n, field(c->scene, u->offset), NULL);
     }
-    if (strcmp(t->key, "contact") == 0 && !add_laws(c, s)) return false;
+    if (t->first_slot && !add_laws(c, s, field(c->scene, t->offset), t->first_slot)) return false;
     return check_keys(c, s);
 }
 
@@ -158,7 +179,11 @@ static bool read_list(reader *c, const tr_section *t) {
         snprintf(what, sizeof what, "`%s.%d`", t->key, i);
         if (!check_type(c, child, TR_NODE_MAPPING, what)) return false;
         tr_scope *s = open_scope(c, t->key, i, child);
-        add_rows(c, s, t->params, t->n, items + (size_t)i * t->item, NULL);
+        char *item = items + (size_t)i * t->item;
+        add_rows(c, s, t->params, t->n, item, NULL);
+        if (t->first_slot && !add_laws(c, s, item, t->first_slot)) return false;
+        for (const tr_section *u = t + 1; u < tr_sections + tr_n_sections && strcmp(u->key, t->key) == 0; u++)
+            add_derived(c, s, u->params, u->n, NULL);
         if (!check_keys(c, s)) return false;
     }
     return true;
@@ -166,17 +191,17 @@ static bool read_list(reader *c, const tr_section *t) {
 
 /* Room for every scope and entry that the case can have. */
 static bool reserve(reader *c) {
-    int scopes = 1, entries = 0;
+    int scopes = 1, entries = 0, laws = 0; /* laws: rows of all laws */
+    for (int k = 0; k < TR_SLOTS; k++) {
+        tr_law_place slot = tr_tables_slot(c->r.catalog, k);
+        for (int i = 0; i < slot.n; i++) laws += slot.laws[i]->n;
+    }
     for (int i = 0; i < tr_n_sections; i++) {
         const tr_section *t = &tr_sections[i];
         const tr_node *node = is_list(t) ? tr_tree_find(c->root, t->key) : NULL;
         int items = is_list(t) ? (node ? tr_tree_count(node) : 0) : 1;
         scopes += items;
-        entries += items * t->n;
-    }
-    for (int k = 0; k < TR_SLOTS; k++) {
-        tr_law_place slot = tr_tables_slot(c->r.catalog, k);
-        for (int i = 0; i < slot.n; i++) entries += slot.laws[i]->n;
+        entries += items * (t->n + (t->first_slot ? laws : 0));
     }
     c->r.scopes = tr_alloc((size_t)scopes, sizeof(tr_scope), c->st);
     c->entries = tr_alloc((size_t)entries, sizeof(tr_entry), c->st);
@@ -187,7 +212,11 @@ static bool reserve(reader *c) {
 static bool read_root(reader *c) {
     tr_scope *s = open_scope(c, "", -1, c->root);
     for (const tr_section *t = tr_sections; !*t->key; t++) {
-        if (t == tr_sections || (t->kinds & c->kind)) add_rows(c, s, t->params, t->n, field(c->scene, t->offset), NULL);
+        bool ours = t == tr_sections || (t->kinds & c->kind);
+        if (ours && t->derived)
+            add_derived(c, s, t->params, t->n, c->scene);
+        else if (ours)
+            add_rows(c, s, t->params, t->n, c->scene, NULL);
         if (t == tr_sections && !tr_resolve(&c->r, tr_resolve_entry(s, "kind"), NULL)) return false;
         c->kind = 1u << c->scene->kind;
     }
@@ -197,7 +226,8 @@ static bool read_root(reader *c) {
 static bool resolve_all(reader *c) {
     for (int i = 0; i < c->n_entries; i++) {
         tr_entry *e = &c->entries[i];
-        if ((!e->law || e->node) && !tr_resolve(&c->r, e, NULL)) return false;
+        bool on_demand = e->value == &e->scratch && !e->node;
+        if (!on_demand && !tr_resolve(&c->r, e, NULL)) return false;
     }
     return true;
 }
@@ -284,5 +314,7 @@ bool tr_scene_read_file(tr_scene *scene, const char *path, const char *const *se
 void tr_scene_free(tr_scene *scene) {
     free(scene->disks);
     free(scene->walls);
+    free(scene->laws);
+    free(scene->path);
     *scene = (tr_scene){0};
 }

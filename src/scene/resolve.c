@@ -37,6 +37,12 @@ __attribute__((format(printf, 4, 5))) static bool fail(tr_resolver *r, const tr_
     va_start(args, format);
     vsnprintf(what, sizeof what, format, args);
     va_end(args);
+    if (e->derived) { /* the place is that of the key that asked */
+        const tr_entry *by = e->asker;
+        while (by && !by->node) by = by->asker;
+        return tr_text_fail(r->st, by ? by->node->mark : e->scope->mark,
+                            "`%s` stands for `%s` here, and that fails: %s", e->param->key, e->fallback, what);
+    }
     if (!e->node)
         return tr_text_fail(r->st, e->scope->mark, "`%s` is not given, and its default `%s` fails: %s; give `%s`",
                             tr_resolve_name(e->scope, e->param->key).text, e->fallback, what, e->param->key);
@@ -45,13 +51,19 @@ __attribute__((format(printf, 4, 5))) static bool fail(tr_resolver *r, const tr_
     return tr_text_fail(r->st, mark, "%s", what);
 }
 
-/* A key of the same mapping, then of the root; with dots: section.key or list.number.key. */
-static tr_entry *lookup(const tr_resolver *r, const tr_scope *scope, const char *name) {
+/* A key of the same mapping, then of the root: a key that names itself means the root's, and the key of a law that is
+ * not chosen is not in the way. With dots section.key or list.number.key; in a list also previous.key, of the item
+ * before, which for the first item is the item itself. */
+static tr_entry *lookup(const tr_resolver *r, const tr_entry *asker, const char *name) {
+    const tr_scope *scope = asker->scope;
     const char *dot = strchr(name, '.'), *key = dot ? dot + 1 : name;
     if (!dot) {
-        tr_entry *e = tr_resolve_entry(scope, name);
-        return e ? e : tr_resolve_entry(&r->scopes[0], name);
+        tr_entry *e = tr_resolve_entry(scope, name), *root = tr_resolve_entry(&r->scopes[0], name);
+        bool elsewhere = e && root && (e == asker || (e->law && !e->node));
+        return e && !elsewhere ? e : root;
     }
+    if (scope->item >= 0 && strncmp(name, "previous.", 9) == 0)
+        return tr_resolve_entry(scope->item > 0 ? scope - 1 : scope, key);
     long item = -1;
     if (*key >= '0' && *key <= '9') {
         char *end;
@@ -87,7 +99,7 @@ static tr_found unknown(const request *q, const char *name, tr_problem *problem)
 
 static tr_found find(void *context, const char *name, tr_quantity *quantity, tr_problem *problem) {
     const request *q = context;
-    tr_entry *e = lookup(q->resolver, q->asker->scope, name);
+    tr_entry *e = lookup(q->resolver, q->asker, name);
     if (!e) return tr_expression_reserved(name) ? TR_UNKNOWN : unknown(q, name, problem);
     if (e->law && !e->node) {
         snprintf(problem->text, sizeof problem->text, "`%s` belongs to the law %s, which is not chosen", name, e->law);

@@ -14,8 +14,10 @@ typedef struct tr_entry {
     const char *fallback; /* default text; NULL: must be given */
     const tr_node *node;  /* what the case says; NULL: nothing */
     void *value;          /* where the value goes */
-    double scratch;       /* there, when only a law that is not chosen knows the key */
+    double scratch;       /* there, when the scene has no place: only a law that is not chosen knows the key, or it is
+                             derived. Without a node such an entry is resolved only when another names it */
     const char *law;      /* that law's name, else NULL. Such a key may be given, and named; it has no default */
+    bool derived;         /* follows from other keys by its default; node is NULL */
     enum { TR_ENTRY_NEW, TR_ENTRY_BUSY, TR_ENTRY_DONE } state;
     struct tr_entry *asker; /* while busy: the key whose text named this one */
     struct tr_scope *scope;

@@ -10,11 +10,12 @@
 #include <stddef.h>
 #include <stdint.h>
 
-typedef enum tr_kind { TR_KIND_BIAXIAL, TR_KIND_BODIES } tr_kind; /* order of the choices of `kind:` */
+typedef enum tr_kind { TR_KIND_BIAXIAL, TR_KIND_BODIES, TR_KIND_CONTACT } tr_kind; /* order of the choices of `kind:` */
 
 typedef enum tr_color { TR_COLOR_MOBILISATION, TR_COLOR_SLIDING, TR_COLOR_ROLLING } tr_color;
 
-enum { TR_LAW_PAR = 16 }; /* room for one law's parameter struct, in doubles */
+enum { TR_MAX_LAWS = 32 }; /* items of `laws:` */
+enum { TR_LAW_PAR = 16 };  /* room for one law's parameter struct, in doubles */
 
 /* A law of one slot: its row in the catalog, and its parameters as the struct that its own table describes. */
 typedef struct tr_scene_law {
@@ -73,6 +74,22 @@ typedef struct tr_scene_wall {
     double vx, vy;
 } tr_scene_wall;
 
+/* Two bodies in contact, of one material. */
+typedef struct tr_scene_pair {
+    int shape;             /* 0 disk */
+    double R1, R2, E, nu;  /* [m m Pa 1] */
+    double density;        /* [kg/m^3]; 0: not given, for few laws need it */
+    double E_star, R_star; /* contact modulus [Pa] and 1/(1/R1 + 1/R2) [m]: they follow from the others */
+} tr_scene_pair;
+
+/* A stretch of the path of a contact: roll and slide at constant rates, force linear in time from where it was. */
+typedef struct tr_scene_segment {
+    double force;       /* normal force at the end [N/m]; the first segment starts at its own */
+    double slide, roll; /* over the segment [m]: int Vs dt, -int (s1 + s2)/2 dt */
+    double time;        /* that it takes [s]; 0: not given, for most laws do not care */
+    int steps;
+} tr_scene_segment;
+
 typedef struct tr_scene {
     tr_kind kind;
     uint64_t seed;
@@ -91,6 +108,11 @@ typedef struct tr_scene {
     tr_scene_disk *disks; /* owned by the scene */
     tr_scene_wall *walls; /* owned by the scene */
     int n_disks, n_walls;
+    /* kind: contact */
+    tr_scene_pair pair;
+    tr_scene_contact *laws; /* owned by the scene; each runs along the path by itself, its normal law is unused */
+    tr_scene_segment *path; /* owned by the scene */
+    int n_laws, n_segments;
 } tr_scene;
 
 /* Reads a case. text: the bytes of the file (need not end in NUL; at most 1 MB). name: how messages call the file.

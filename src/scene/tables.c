@@ -6,18 +6,25 @@
 #include <math.h>
 #include <string.h>
 
-#define ROWS(rows) rows, sizeof rows / sizeof *rows
 #define AT(field) offsetof(STRUCT, field)
 
 #define STRUCT tr_scene
 static const tr_param root[] = {
-    {"kind", TR_CHOICE, TR_DIM_NUMBER, "", NULL, 0, 0, "biaxial|bodies", AT(kind),
-     "what is simulated: a biaxial test, or a few bodies"},
+    {"kind", TR_CHOICE, TR_DIM_NUMBER, "", NULL, 0, 0, "biaxial|bodies|contact", AT(kind),
+     "what is simulated: a biaxial test, a few bodies, or one contact along a path"},
+};
+static const tr_param root_worlds[] = {
     {"seed", TR_SEED, TR_DIM_NUMBER, "", "1", 0, 0, NULL, AT(seed),
      "start of the random numbers: same seed, same sample"},
 };
 static const tr_param root_bodies[] = {
     {"time_end", TR_REAL, TR_DIM_TIME, "s", NULL, 1e-12, 1e6, NULL, AT(time_end), "time that the run covers"},
+};
+static const tr_param root_contact[] = {
+    {"E_star", TR_REAL, TR_DIM_STIFFNESS, "Pa", "bodies.E/(2*(1 - bodies.nu^2))", 1e-4, 1e18, NULL, AT(pair.E_star),
+     "contact modulus, 1/E_star = sum of (1 - nu^2)/E of the two"},
+    {"R_star", TR_REAL, TR_DIM_LENGTH, "m", "bodies.R1*bodies.R2/(bodies.R1 + bodies.R2)", 1e-10, 1e3, NULL,
+     AT(pair.R_star), "1/R_star = 1/R1 + 1/R2"},
 };
 #undef STRUCT
 
@@ -125,30 +132,86 @@ static const tr_param wall[] = {
 };
 #undef STRUCT
 
+#define STRUCT tr_scene_pair
+static const tr_param pair[] = {
+    {"shape", TR_CHOICE, TR_DIM_NUMBER, "", "disk", 0, 0, "disk", AT(shape),
+     "a disk is a cylinder per metre of length"},
+    {"R1", TR_REAL, TR_DIM_LENGTH, "m", NULL, 1e-9, 1e3, NULL, AT(R1), "radius of body 1"},
+    {"R2", TR_REAL, TR_DIM_LENGTH, "m", NULL, 1e-9, 1e3, NULL, AT(R2), "radius of body 2"},
+    {"E", TR_REAL, TR_DIM_STIFFNESS, "Pa", NULL, 1e-3, 1e15, NULL, AT(E), "Young's modulus of both"},
+    {"nu", TR_REAL, TR_DIM_NUMBER, "1", NULL, -0.999, 0.5, NULL, AT(nu), "Poisson's ratio of both"},
+    {"density", TR_REAL, TR_DIM_DENSITY, "kg/m^3", "0", 0, 1e6, NULL, AT(density),
+     "density of both, for laws that know inertia; 0: not given"},
+};
+#undef STRUCT
+
+#define STRUCT tr_scene_contact
+static const tr_param laws[] = {
+    {"friction", TR_CHOICE, TR_DIM_NUMBER, "", "none", 0, 0, NULL, AT(friction.law), "law of the friction force"},
+    {"rolling", TR_CHOICE, TR_DIM_NUMBER, "", "none", 0, 0, NULL, AT(rolling.law), "law of the rolling resistance"},
+    {"rolling_velocity", TR_CHOICE, TR_DIM_NUMBER, "", "wang", 0, 0, NULL, AT(rolling_velocity),
+     "definition of the rolling velocity"},
+};
+#undef STRUCT
+
+#define STRUCT tr_scene_segment
+static const tr_param path[] = {
+    {"force", TR_REAL, TR_DIM_LINE_FORCE, "N/m", NULL, 0, 1e12, NULL, AT(force),
+     "normal force at the end, linear up to there; the first segment starts at its own"},
+    {"slide", TR_REAL, TR_DIM_LENGTH, "m", "0", -1e3, 1e3, NULL, AT(slide), "int Vs dt over the segment"},
+    {"roll", TR_REAL, TR_DIM_LENGTH, "m", "0", -1e3, 1e3, NULL, AT(roll), "-int (s1 + s2)/2 dt over the segment"},
+    {"steps", TR_COUNT, TR_DIM_NUMBER, "", "100", 1, 1e6, NULL, AT(steps), "steps of the laws"},
+    {"time", TR_REAL, TR_DIM_TIME, "s", "0", 0, 1e9, NULL, AT(time), "for laws that depend on the rate; 0: not given"},
+};
+#undef STRUCT
+
+/* At the start of a segment. */
+static const tr_param path_start[] = {
+    {"P", TR_REAL, TR_DIM_LINE_FORCE, "N/m", "previous.force", 0, 1e12, NULL, 0, "normal force"},
+    {"a", TR_REAL, TR_DIM_LENGTH, "m", "sqrt(4*P*R_star/(pi*E_star))", 1e-15, 1e6, NULL, 0,
+     "half-width of the contact"},
+};
+
 #define STRUCT tr_scene
+#define SECTION(key_, doc_, kinds_, rows, ...)                                                                         \
+    { .key = key_, .doc = doc_, .kinds = kinds_, .params = rows, .n = sizeof rows / sizeof *rows, __VA_ARGS__ }
+#define LIST(array, count_, least, most)                                                                               \
+    .offset = AT(array), .item = sizeof *((tr_scene *)0)->array, .count = AT(count_), .min_items = least,              \
+    .max_items = most
 const tr_section tr_sections[] = {
-    {"", "", TR_FOR_ALL, ROWS(root), 0, 0, 0, 0, 0},
-    {"", "", TR_FOR_BODIES, ROWS(root_bodies), 0, 0, 0, 0, 0},
-    {"sample", "disks before compaction", TR_FOR_BIAXIAL, ROWS(sample), AT(sample), 0, 0, 0, 0},
-    {"contact", "what two disks do to each other", TR_FOR_ALL, ROWS(contact), AT(contact), 0, 0, 0, 0},
-    {"compaction", "isotropic, between four smooth walls", TR_FOR_BIAXIAL, ROWS(compaction), AT(compaction), 0, 0, 0,
-     0},
-    {"shear", "top and bottom wall approach, lateral walls hold their pressure", TR_FOR_BIAXIAL, ROWS(shear), AT(shear),
-     0, 0, 0, 0},
-    {"gravity", "", TR_FOR_BODIES, ROWS(gravity), AT(gravity), 0, 0, 0, 0},
-    {"step", "time step", TR_FOR_ALL, ROWS(step), AT(step), 0, 0, 0, 0},
-    {"output", "what is written", TR_FOR_ALL, ROWS(output), AT(output), 0, 0, 0, 0},
-    {"output", "", TR_FOR_BIAXIAL, ROWS(output_biaxial), AT(output), 0, 0, 0, 0},
-    {"disks", "", TR_FOR_BODIES, ROWS(disk), AT(disks), sizeof(tr_scene_disk), AT(n_disks), 1, 1000},
-    {"walls", "rigid planes", TR_FOR_BODIES, ROWS(wall), AT(walls), sizeof(tr_scene_wall), AT(n_walls), 0, 100},
+    SECTION("", "", TR_FOR_ALL, root, .offset = 0),
+    SECTION("", "", TR_FOR_WORLDS, root_worlds, .offset = 0),
+    SECTION("", "", TR_FOR_BODIES, root_bodies, .offset = 0),
+    SECTION("", "", TR_FOR_CONTACT, root_contact, .offset = 0, .derived = true),
+    SECTION("sample", "disks before compaction", TR_FOR_BIAXIAL, sample, .offset = AT(sample)),
+    SECTION("contact", "what two disks do to each other", TR_FOR_WORLDS, contact, .offset = AT(contact),
+            .first_slot = 1),
+    SECTION("compaction", "isotropic, between four smooth walls", TR_FOR_BIAXIAL, compaction, .offset = AT(compaction)),
+    SECTION("shear", "top and bottom wall approach, lateral walls hold their pressure", TR_FOR_BIAXIAL, shear,
+            .offset = AT(shear)),
+    SECTION("gravity", "", TR_FOR_BODIES, gravity, .offset = AT(gravity)),
+    SECTION("step", "time step", TR_FOR_WORLDS, step, .offset = AT(step)),
+    SECTION("output", "what is written", TR_FOR_WORLDS, output, .offset = AT(output)),
+    SECTION("output", "", TR_FOR_BIAXIAL, output_biaxial, .offset = AT(output)),
+    SECTION("disks", "", TR_FOR_BODIES, disk, LIST(disks, n_disks, 1, 1000)),
+    SECTION("walls", "rigid planes", TR_FOR_BODIES, wall, LIST(walls, n_walls, 0, 100)),
+    SECTION("bodies", "the two in contact, of one material", TR_FOR_CONTACT, pair, .offset = AT(pair)),
+    SECTION("laws", "each runs along the path by itself", TR_FOR_CONTACT, laws, LIST(laws, n_laws, 1, TR_MAX_LAWS),
+            .first_slot = 2),
+    SECTION("path", "of the contact; the line of centres stands still", TR_FOR_CONTACT, path,
+            LIST(path, n_segments, 1, 1000)),
+    SECTION("path", "", TR_FOR_CONTACT, path_start, LIST(path, n_segments, 1, 1000), .derived = true),
 };
 const int tr_n_sections = sizeof tr_sections / sizeof *tr_sections;
 
+#undef STRUCT
+
+#define STRUCT tr_scene_contact
 tr_law_place tr_tables_slot(const tr_param_catalog *catalog, int i) {
     const tr_law_place slots[TR_SLOTS] = {
-        {"normal", catalog->normal, catalog->n_normal, AT(contact.normal)},
-        {"friction", catalog->friction, catalog->n_friction, AT(contact.friction)},
-        {"rolling", catalog->rolling, catalog->n_rolling, AT(contact.rolling)},
+        {"normal", catalog->normal, catalog->n_normal, AT(normal)},
+        {"friction", catalog->friction, catalog->n_friction, AT(friction)},
+        {"rolling", catalog->rolling, catalog->n_rolling, AT(rolling)},
     };
     return slots[i];
 }

@@ -6,7 +6,14 @@
 #include "scene/scene.h"
 #include "scene/text.h"
 
-enum { TR_FOR_BIAXIAL = 1 << TR_KIND_BIAXIAL, TR_FOR_BODIES = 1 << TR_KIND_BODIES, TR_FOR_ALL = 3, TR_SLOTS = 3 };
+enum {
+    TR_FOR_BIAXIAL = 1 << TR_KIND_BIAXIAL,
+    TR_FOR_BODIES = 1 << TR_KIND_BODIES,
+    TR_FOR_CONTACT = 1 << TR_KIND_CONTACT,
+    TR_FOR_WORLDS = TR_FOR_BIAXIAL | TR_FOR_BODIES, /* kinds in which forces move disks */
+    TR_FOR_ALL = TR_FOR_WORLDS | TR_FOR_CONTACT,
+    TR_SLOTS = 3
+};
 
 /* Rows of one section. Neighbours with the same key are one section, some of whose keys are for one kind only. */
 typedef struct tr_section {
@@ -19,18 +26,22 @@ typedef struct tr_section {
     size_t item;   /* of a list: size of an item; 0: not a list */
     size_t count;  /* of a list: offset in tr_scene of the number of items */
     int min_items, max_items;
+    bool derived;   /* the rows follow from other keys by their default: they can be named, but neither given nor
+                       written. In a list their values have no place in the scene */
+    int first_slot; /* of sections whose struct is a tr_scene_contact: the keys of the laws of this and later slots are
+                       in it too; 0: none, so it counts from 1 */
 } tr_section;
 
 extern const tr_section tr_sections[];
 extern const int tr_n_sections;
 
-/* The places for laws: normal, friction, rolling. A slot's key is in `contact`, and so are the parameters of its law.
- */
+/* The places for laws: normal, friction, rolling. A slot's key stands in `contact`, or in an item of `laws`, and the
+ * parameters of its law stand beside it. */
 typedef struct tr_law_place {
     const char *key;
     const tr_param_table *const *laws;
     int n;
-    size_t offset; /* of the tr_scene_law in tr_scene */
+    size_t offset; /* of the tr_scene_law in tr_scene_contact */
 } tr_law_place;
 
 tr_law_place tr_tables_slot(const tr_param_catalog *catalog, int i);

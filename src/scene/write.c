@@ -54,21 +54,24 @@ static void write_key(const writer *w, const tr_param *p, const void *base, cons
         fprintf(w->out, "%-42s # %s\n", line, p->doc);
 }
 
-/* Parameters of the chosen laws. A key that two of them share is written once. */
-static void write_laws(const writer *w) {
-    for (int k = 0; k < TR_SLOTS; k++) {
+static const tr_scene_law *law_at(const void *base, const tr_law_place *slot) {
+    return (const void *)((const char *)base + slot->offset);
+}
+
+/* Parameters of the chosen laws of the tr_scene_contact at base. A key that two of them share is written once. */
+static void write_laws(const writer *w, const void *base, int first_slot, const char *lead) {
+    for (int k = first_slot - 1; k < TR_SLOTS; k++) {
         tr_law_place slot = tr_tables_slot(w->catalog, k);
-        const tr_scene_law *law = (const void *)((const char *)w->scene + slot.offset);
+        const tr_scene_law *law = law_at(base, &slot);
         const tr_param_table *table = slot.laws[law->law];
         for (int i = 0; i < table->n; i++) {
             bool written = false;
-            for (int before = 0; before < k; before++) {
+            for (int before = first_slot - 1; before < k; before++) {
                 tr_law_place other = tr_tables_slot(w->catalog, before);
-                const tr_scene_law *chosen = (const void *)((const char *)w->scene + other.offset);
-                const tr_param_table *t = other.laws[chosen->law];
+                const tr_param_table *t = other.laws[law_at(base, &other)->law];
                 for (int j = 0; j < t->n; j++) written |= strcmp(t->params[j].key, table->params[i].key) == 0;
             }
-            if (!written) write_key(w, &table->params[i], law->par, "  ", true);
+            if (!written) write_key(w, &table->params[i], law->par, lead, true);
         }
     }
 }
@@ -79,12 +82,14 @@ static void write_list(const writer *w, const tr_section *t) {
     memcpy(&items, (const char *)w->scene + t->offset, sizeof items);
     int n = *(const int *)(const void *)((const char *)w->scene + t->count);
     for (int i = 0; i < n; i++) {
-        for (int k = 0; k < t->n; k++)
-            write_key(w, &t->params[k], items + (size_t)i * t->item, k == 0 ? "  - " : "    ", i == 0);
+        const char *item = items + (size_t)i * t->item;
+        for (int k = 0; k < t->n; k++) write_key(w, &t->params[k], item, k == 0 ? "  - " : "    ", i == 0);
+        if (t->first_slot) write_laws(w, item, t->first_slot, "    ");
     }
 }
 
 static void write_section(const writer *w, const tr_section *t, bool begins) {
+    if (t->derived) return;
     if (*t->key && begins) fprintf(w->out, *t->doc ? "\n%s: # %s\n" : "\n%s:\n", t->key, t->doc);
     if (t->item) {
         write_list(w, t);
@@ -92,7 +97,7 @@ static void write_section(const writer *w, const tr_section *t, bool begins) {
     }
     for (int i = 0; i < t->n; i++)
         write_key(w, &t->params[i], (const char *)w->scene + t->offset, *t->key ? "  " : "", true);
-    if (strcmp(t->key, "contact") == 0) write_laws(w);
+    if (t->first_slot) write_laws(w, (const char *)w->scene + t->offset, t->first_slot, "  ");
 }
 
 char *tr_scene_write(const tr_scene *scene, const tr_param_catalog *catalog, tr_status *st) {

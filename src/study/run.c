@@ -2,6 +2,7 @@
 #include "study/run_internal.h"
 
 #include "laws/law.h"
+#include "study/contact.h"
 #include <assert.h>
 #include <errno.h>
 #include <math.h>
@@ -13,12 +14,27 @@
 
 bool tr_run(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st) {
     *report = (tr_run_report){0};
-    return scene->kind == TR_KIND_BIAXIAL ? tr_run_biaxial(scene, options, report, st)
-                                          : tr_run_bodies(scene, options, report, st);
+    switch (scene->kind) {
+    case TR_KIND_BIAXIAL:
+        return tr_run_biaxial(scene, options, report, st);
+    case TR_KIND_BODIES:
+        return tr_run_bodies(scene, options, report, st);
+    case TR_KIND_CONTACT:
+        return tr_run_contact(scene, options, report, st);
+    }
+    return false;
 }
 
 bool tr_run_check(const tr_scene *scene, tr_status *st) {
-    return scene->kind == TR_KIND_BIAXIAL ? tr_run_check_biaxial(scene, st) : tr_run_check_bodies(scene, st);
+    switch (scene->kind) {
+    case TR_KIND_BIAXIAL:
+        return tr_run_check_biaxial(scene, st);
+    case TR_KIND_BODIES:
+        return tr_run_check_bodies(scene, st);
+    case TR_KIND_CONTACT:
+        return tr_contact_check(scene, st);
+    }
+    return false;
 }
 
 /* A user who runs ./case.yaml with -o . would lose it to the resolved case. */

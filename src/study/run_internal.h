@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the two kinds of run share. */
+/* What the kinds of run share. */
 #ifndef TR_RUN_INTERNAL_H
 #define TR_RUN_INTERNAL_H
 
@@ -10,6 +10,7 @@
 
 bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st);
 bool tr_run_bodies(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st);
+bool tr_run_contact(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st);
 bool tr_run_check_biaxial(const tr_scene *scene, tr_status *st);
 bool tr_run_check_bodies(const tr_scene *scene, tr_status *st);
 

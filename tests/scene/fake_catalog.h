@@ -87,6 +87,16 @@ static const char bodies_case[] =
     "  - {nx: 0.3, ny: 0.7, vx: 1 mm/s}\n"
     "  - {nx: -1, ny: 1e-3}\n";
 
+static const char contact_case[] = "kind: contact\n"
+                                   "bodies: {R1: 10 mm, R2: R1/3, E: 70 GPa, nu: 0.3}\n"
+                                   "laws:\n"
+                                   "  - {friction: coulomb-spring, mu: 0.3, k_t: 0.35*E_star}\n"
+                                   "  - {rolling: wang-spring, mu_r: 0.1, k_r: E_star/7, rolling_velocity: bagi-kuhn}\n"
+                                   "path:\n"
+                                   "  - {force: 10 kN/m, slide: 0.18 um, roll: 3*a, steps: 40}\n"
+                                   "  - {force: 2.25*P, slide: -previous.slide, roll: -2*a}\n"
+                                   "  - {force: 0, roll: a, time: 1 ms}\n";
+
 static inline bool fake_read(tr_scene *scene, const char *text, const char *const *sets, int n_sets, tr_status *st) {
     *st = (tr_status){0};
     return tr_scene_read(scene, "a.yaml", text, strlen(text), sets, n_sets, &fake_catalog, st);

@@ -8,6 +8,9 @@
     "sample: {r_min: 1 mm, r_max: 2 mm}\n"                                                                             \
     "contact: {k_n: 1 MPa}\n"                                                                                          \
     "compaction: {pressure: 1 kPa}\n"
+#define PAIR "kind: contact\nbodies: {R1: 10 mm, R2: 10 mm, E: 70 GPa, nu: 0.3}\n"
+#define LAWS "laws: [{friction: coulomb-spring, k_t: E_star}]\n"
+#define ROLL PAIR LAWS "path: [{force: 1 kN/m}]\n"
 #define NO_DISKS "kind: bodies\ntime_end: 1 s\ncontact: {k_n: 1 MPa}\n"
 #define GOOD_BODIES NO_DISKS "disks: [{radius: 1, x: 0, y: 0}]\n"
 
@@ -47,15 +50,18 @@ static const bad_case rows[] = {
      "a.yaml:2:6: error: not valid YAML: mapping values are not allowed in this context\n seed: 1\n     ^"},
     {"kind: biaxial\n[a]: 1\n", 0, NULL, "a.yaml:2:1: error: a key must be plain text\n[a]: 1\n^"},
     {"seed: 1\n", 0, NULL,
-     "a.yaml:1:1: error: `kind` is missing: what is simulated: a biaxial test, or a few bodies\nseed: 1\n^"},
+     "a.yaml:1:1: error: `kind` is missing: what is simulated: a biaxial test, a few bodies, or one contact along a "
+     "path\nseed: 1\n^"},
     {"kind: triaxial\n", 0, NULL,
-     "a.yaml:1:7: error: `triaxial` is not a choice for `kind` (did you mean `biaxial`?); allowed is biaxial | "
-     "bodies\nkind: triaxial\n      ^"},
+     "a.yaml:1:7: error: `triaxial` is not a choice for `kind` (did you mean `biaxial`?); allowed is biaxial | bodies "
+     "| "
+     "contact\nkind: triaxial\n      ^"},
     {"kind: biaxal\n", 0, NULL,
-     "a.yaml:1:7: error: `biaxal` is not a choice for `kind` (did you mean `biaxial`?); allowed is biaxial | "
-     "bodies\nkind: biaxal\n      ^"},
+     "a.yaml:1:7: error: `biaxal` is not a choice for `kind` (did you mean `biaxial`?); allowed is biaxial | bodies | "
+     "contact\nkind: biaxal\n      ^"},
     {"kind: [biaxial]\n", 0, NULL,
-     "a.yaml:1:7: error: `kind` must be a single value: what is simulated: a biaxial test, or a few bodies\nkind: "
+     "a.yaml:1:7: error: `kind` must be a single value: what is simulated: a biaxial test, a few bodies, or one "
+     "contact along a path\nkind: "
      "[biaxial]\n      ^"},
     {GOOD "smaple: {disks: 4}\n", 0, NULL,
      "a.yaml:5:1: error: unknown key `smaple` (did you mean `sample`?); allowed here: kind, seed, sample, contact, "
@@ -275,8 +281,68 @@ static void long_lines(void **state) {
     assert_string_equal(strrchr(st.text, '\n'), caret);
 }
 
+/* kind: contact. The message begins with `begins`. */
+static void contact_messages(void **state) {
+    (void)state;
+    static const struct {
+        const char *text, *begins;
+    } rows[] = {
+        {PAIR LAWS, "a.yaml:3:48: error: `path` has 0 items, allowed is 1 to 1000\n"},
+        {PAIR LAWS "path: []\n", "a.yaml:4:7: error: `path` has 0 items, allowed is 1 to 1000\n"},
+        {PAIR "laws: []\npath: [{force: 1}]\n", "a.yaml:3:7: error: `laws` has 0 items, allowed is 1 to 32\n"},
+        {PAIR LAWS "path: [{slide: 1 um}]\n", "a.yaml:4:8: error: `path.0.force` is missing: normal force at the end"},
+        {PAIR LAWS "path: [{force: -1 kN/m}]\n",
+         "a.yaml:4:16: error: `force` is -1000, allowed is 0 to 1e+12 N/m\npath: [{force: -1 kN/m}]\n               ^"},
+        {PAIR LAWS "path: [{force: 1 kN}]\n", "a.yaml:4:16: error: wrong dimension: this is in kg m s^-2 (`force`"},
+        {PAIR LAWS "path: [{force: 1, steps: 0}]\n", "a.yaml:4:26: error: `steps` is 0, allowed is 1 to 1e+06\n"},
+        {PAIR LAWS "path: [{force: 1, slide: .nan}]\n", "a.yaml:4:26: error: expected "},
+        {PAIR LAWS "path: [{force: 0, roll: 3*a}]\n",
+         "a.yaml:4:25: error: `a` stands for `sqrt(4*P*R_star/(pi*E_star))` here, and that fails: `a` is 0, allowed "},
+        {PAIR LAWS "path: [{force: 1, a: 3 mm}]\n",
+         "a.yaml:4:19: error: `path.0.a` follows from other keys, sqrt(4*P*R_star/(pi*E_star)), and cannot be given\n"},
+        {PAIR LAWS "path: [{force: previous.force}]\n", "a.yaml:4:16: error: these keys name each other in a circle: "},
+        {PAIR LAWS "path: [{force: 1, slip: 2}]\n",
+         "a.yaml:4:19: error: unknown key `path.0.slip` (did you mean `slide`?); allowed here: force, slide, roll, "
+         "steps, time\n"},
+        {ROLL "E_star: 3 GPa\n", "a.yaml:5:1: error: `E_star` follows from other keys, bodies.E/(2*(1 - "
+                                 "bodies.nu^2)), and cannot be given\n"},
+        {ROLL "seed: 3\n", "a.yaml:5:1: error: `seed` is not for `kind: contact`; allowed here: kind, bodies, laws, "
+                           "path\n"},
+        {ROLL "contact: {mu: 1}\n", "a.yaml:5:1: error: `contact` is not for `kind: contact`; allowed here: "},
+        {PAIR "laws: [{friction: coulomb-spring}]\npath: [{force: 1}]\n",
+         "a.yaml:3:8: error: `laws.0.k_t` is not given, and its default `0.5*k_n` fails: unknown name `k_n`"},
+        {PAIR "laws: [{friction: coulomb, k_t: 1}]\npath: [{force: 1}]\n",
+         "a.yaml:3:19: error: `coulomb` is not a choice for `friction`"},
+        {PAIR "laws: [{normal: linear}]\npath: [{force: 1}]\n", "a.yaml:3:9: error: unknown key `laws.0.normal`"},
+        {PAIR "laws: {friction: none}\npath: [{force: 1}]\n", "a.yaml:3:7: error: `laws` must be a list"},
+        {"kind: contact\nbodies: {R1: 0, R2: 1, E: 1, nu: 0}\n" LAWS "path: [{force: 1}]\n",
+         "a.yaml:2:14: error: `R1` is 0, allowed is 1e-09 to 1000 m\n"},
+        {"kind: contact\nbodies: {R1: 1, R2: 1, E: -1 Pa, nu: 0}\n" LAWS "path: [{force: 1}]\n",
+         "a.yaml:2:27: error: `E` is -1, allowed is 0.001 to 1e+15 Pa\n"},
+        {"kind: contact\nbodies: {R1: 1, R2: 1, E: 1, nu: 0.51}\n" LAWS "path: [{force: 1}]\n",
+         "a.yaml:2:34: error: `nu` is 0.51, allowed is -0.999 to 0.5\n"},
+        {"kind: contact\nbodies: {R1: 1, R2: 1, E: 1, nu: 0, shape: sphere}\n" LAWS "path: [{force: 1}]\n",
+         "a.yaml:2:44: error: `sphere` is not a choice for `shape`; allowed is disk\n"},
+        {"kind: contact\nbodies: {R1: 1, R2: 1, nu: 0}\n" LAWS "path: [{force: 1}]\n",
+         "a.yaml:2:9: error: `bodies.E` is missing: Young's modulus of both [Pa]\n"},
+    };
+    int failed = 0;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        tr_scene scene;
+        tr_status st;
+        bool ok = fake_read(&scene, rows[i].text, NULL, 0, &st);
+        if (ok) fail_msg("accepted: %s", rows[i].text);
+        assert_int_equal(st.code, TR_BAD_CASE);
+        assert_null(scene.laws);
+        if (strncmp(st.text, rows[i].begins, strlen(rows[i].begins)) == 0) continue;
+        print_message("case %zu says:\n%s\nexpected:\n%s\n\n", i, st.text, rows[i].begins);
+        failed++;
+    }
+    assert_int_equal(failed, 0);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(messages), cmocka_unit_test(limits),
-                                       cmocka_unit_test(long_lines)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(messages), cmocka_unit_test(contact_messages),
+                                       cmocka_unit_test(limits), cmocka_unit_test(long_lines)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

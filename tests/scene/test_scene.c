@@ -111,6 +111,39 @@ static void bodies(void **state) {
     tr_scene_free(&s);
 }
 
+static void contact(void **state) {
+    (void)state;
+    tr_scene s = read_ok(contact_case, NULL, 0);
+    double E_star = 70e9 / (2 * (1 - 0.3 * 0.3)), R_star = 0.0025;
+    assert_int_equal(s.kind, TR_KIND_CONTACT);
+    assert_close(s.pair.R2, 0.01 / 3, 1e-15, 0);
+    assert_close(s.pair.E_star, E_star, 1e-15, 0);
+    assert_close(s.pair.R_star, R_star, 1e-15, 0);
+    assert_close(s.pair.density, 0, 0, 0);
+    assert_int_equal(s.n_laws, 2);
+    const fake_spring *spring = (const void *)s.laws[0].friction.par;
+    const fake_rolling *rolling = (const void *)s.laws[1].rolling.par;
+    assert_int_equal(s.laws[0].friction.law, 0);
+    assert_int_equal(s.laws[0].rolling.law, 0);
+    assert_close(spring->k_t, 0.35 * E_star, 1e-15, 0);
+    assert_int_equal(s.laws[1].friction.law, 1);
+    assert_int_equal(s.laws[1].rolling.law, 1);
+    assert_int_equal(s.laws[1].rolling_velocity, 1);
+    assert_close(rolling->k_r, E_star / 7, 1e-15, 0);
+    assert_int_equal(s.n_segments, 3);
+    assert_close(s.path[0].force, 1e4, 0, 0);
+    assert_close(s.path[0].roll, 3 * sqrt(4e4 * R_star / (M_PI * E_star)), 1e-14, 0);
+    assert_int_equal(s.path[0].steps, 40);
+    assert_close(s.path[1].force, 2.25e4, 0, 0);
+    assert_close(s.path[1].slide, -0.18e-6, 1e-15, 0);
+    assert_close(s.path[1].roll, -2 * sqrt(4e4 * R_star / (M_PI * E_star)), 1e-14,
+                 0); /* its start is the first's end */
+    assert_int_equal(s.path[1].steps, 100);
+    assert_close(s.path[2].roll, sqrt(4 * 2.25e4 * R_star / (M_PI * E_star)), 1e-14, 0);
+    assert_close(s.path[2].time, 1e-3, 0, 0);
+    tr_scene_free(&s);
+}
+
 /* tr_alloc and the reader leave no byte of a scene unset, so scenes compare as bytes, lists aside. */
 static void assert_same(const tr_scene *a, const tr_scene *b) {
     tr_scene x = *a, y = *b;
@@ -118,6 +151,12 @@ static void assert_same(const tr_scene *a, const tr_scene *b) {
     assert_int_equal(a->n_walls, b->n_walls);
     if (a->n_disks) assert_memory_equal(a->disks, b->disks, (size_t)a->n_disks * sizeof *a->disks);
     if (a->n_walls) assert_memory_equal(a->walls, b->walls, (size_t)a->n_walls * sizeof *a->walls);
+    assert_int_equal(a->n_laws, b->n_laws);
+    assert_int_equal(a->n_segments, b->n_segments);
+    if (a->n_laws) assert_memory_equal(a->laws, b->laws, (size_t)a->n_laws * sizeof *a->laws);
+    if (a->n_segments) assert_memory_equal(a->path, b->path, (size_t)a->n_segments * sizeof *a->path);
+    x.laws = y.laws = NULL;
+    x.path = y.path = NULL;
     x.disks = y.disks = NULL;
     x.walls = y.walls = NULL;
     assert_memory_equal(&x, &y, sizeof x);
@@ -142,6 +181,9 @@ static void written_reads_the_same(void **state) {
                                 "contact.model=dmt",     "seed=18446744073709551615", "step.dt=0.1/3 us",
                                 "shear.walls=rough",     "output.color=rolling"};
     tr_scene s = read_ok(biaxial_case, NULL, 0);
+    round_trip(&s);
+    tr_scene_free(&s);
+    s = read_ok(contact_case, NULL, 0);
     round_trip(&s);
     tr_scene_free(&s);
     s = read_ok(biaxial_case, sets, sizeof sets / sizeof *sets);
@@ -189,7 +231,8 @@ static void written_text(void **state) {
     tr_status st = {0};
     char *text = tr_scene_write(&s, &fake_catalog, &st);
     const char *const lines[] = {
-        "kind: bodies                               # what is simulated: a biaxial test, or a few bodies\n"
+        "kind: bodies                               # what is simulated: a biaxial test, a few bodies, or one contact "
+        "along a path\n"
         "seed: 1                                    # start of the random numbers: same seed, same sample\n"
         "time_end: 0.1                              # time that the run covers [s]\n"
         "\ncontact: # what two disks do to each other\n"
@@ -297,7 +340,8 @@ static void damaged_cases(void **state) {
     tr_random random = tr_random_seed(3, 4);
     int accepted = 0;
     for (int i = 0; i < 4000; i++) {
-        const char *source = i % 2 ? biaxial_case : bodies_case;
+        const char *const sources[] = {bodies_case, biaxial_case, contact_case};
+        const char *source = sources[i % 3];
         char text[2048];
         size_t n = strlen(source);
         memcpy(text, source, n);
@@ -321,6 +365,7 @@ static void damaged_cases(void **state) {
             assert_int_equal(st.code, TR_BAD_CASE);
             assert_int_equal(sscanf(st.text, "a:%d:%d: error: ", &line, &column), 2);
             assert_null(s.disks);
+            assert_null(s.path);
         }
         tr_scene_free(&s);
     }
@@ -332,6 +377,7 @@ int main(void) {
         cmocka_unit_test(biaxial),
         cmocka_unit_test(defaults),
         cmocka_unit_test(bodies),
+        cmocka_unit_test(contact),
         cmocka_unit_test(written_reads_the_same),
         cmocka_unit_test(written_text),
         cmocka_unit_test(large_case_reads_the_same),

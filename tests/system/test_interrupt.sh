@@ -4,6 +4,7 @@
 set -u
 # shellcheck source=tests/system/tap.sh
 . "$(dirname "$0")/tap.sh"
+contact=$PWD/cases/contact-reversal.yaml
 cd "$work" || exit 1
 write_small_case small.yaml
 write_bodies_case bodies.yaml
@@ -52,6 +53,18 @@ for signal in INT TERM; do
         skip 'the film so far plays' 'no ffmpeg'
     fi
 done
+
+start "$contact" -o contact --set path.0.steps=1000000
+has_contact_rows() { [ "$(wc -l <contact/contact.csv.part)" -gt 4 ]; }
+check 'a contact on its path: rows are growing' wait_for has_contact_rows
+stop INT
+check 'code 130' equals "$code" 130
+check 'says where it stopped' says stderr 'stopped at step'
+check 'contact.csv has whole lines' whole_lines contact/contact.csv
+kept=$(sed -n 's/.*: \([0-9]*\) steps of contact.*/\1/p' stderr)
+check 'two rows for each step that it said' equals "$(($(wc -l <contact/contact.csv) - 1))" $((2 * kept))
+check 'no summary' not test -e contact/summary.json
+check 'no part' no_parts contact
 
 # shellcheck disable=SC2086 # a list of options
 start small.yaml -o compact $compacting

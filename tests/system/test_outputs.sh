@@ -45,6 +45,25 @@ check 'a frame is a PNG' is_png framed/frames/00001.png
 check 'without -o results go to out/ and the name of the case' run_gives 0 bodies.yaml
 check 'there they are' test -e out/bodies/summary.json
 
+# ---- a contact along a path ----
+contact_files() {
+    printf '%s\n' case.yaml contact.csv
+    command -v gnuplot >/dev/null && printf '%s\n' contact.png contact.svg plot.gp
+    echo summary.json
+}
+check 'a contact runs' run_gives 0 "$cases/contact-reversal.yaml" -o contact
+check 'it writes these files' equals "$(listing contact)" "$(contact_files)"
+check 'the header of contact.csv' equals "$(head -n 1 contact/contact.csv)" \
+    'law,step,segment,u_slide_m,u_roll_m,P_N_per_m,Q_N_per_m,q,a_m,moment_1_N,moment_2_N,f_r_N_per_m'
+check 'a row for each law and step' equals "$(($(wc -l <contact/contact.csv) - 1))" 3200
+within() { awk -F, 'NR > 1 && !($8 >= 0 && $8 <= 1 + 1e-15) { print; bad = 1 } END { exit bad }' contact/contact.csv; }
+check 'friction within its bound' within
+check 'it has no frames' run_gives 2 "$cases/contact-reversal.yaml" -o no --frames 2
+check 'and says so' says stderr '`output` is not for `kind: contact`; allowed here: kind, bodies, laws, path'
+check 'a law that depends on the rate is not guessed at' run_gives 2 "$cases/contact-reversal.yaml" -o no --check \
+    --set laws.0.rolling=star-displacement-damping --set bodies.density=2700
+check 'it asks for the time' says stderr 'depends on the rate: give `path.0.time`'
+
 # ---- tables ----
 begins() {
     head -n 1 "$1" | grep -q "^$2" || { head -n 1 "$1"; false; }
@@ -63,7 +82,7 @@ is_table() {
         { for (i = 1; i <= NF; i++) if ($i !~ /^-?[0-9.]+(e[-+][0-9]+)?$/) { print "line " NR ": " $i; bad = 1 } }
         END { exit bad || NR < 2 }' "$1"
 }
-for table in plain/history.csv plain/contacts.csv bodies/history.csv bodies/contacts.csv; do
+for table in plain/history.csv plain/contacts.csv bodies/history.csv bodies/contacts.csv contact/contact.csv; do
     check "$table holds finite numbers only" is_table "$table"
 done
 ends_at() { # the last strain is the asked one, overshot by less than a step
@@ -109,6 +128,9 @@ check 'the same case again' run_gives 0 small.yaml -o again --frames 2
 check 'gives the same bytes' same framed again
 check 'the resolved case' run_gives 0 framed/case.yaml -o resolved
 check 'gives the same bytes' same framed resolved
+check 'the contact again' run_gives 0 "$cases/contact-reversal.yaml" -o contact --force
+check 'and its resolved case' run_gives 0 contact/case.yaml -o contact2
+check 'give the same bytes' same contact contact2
 check 'the resolved case of bodies' run_gives 0 bodies/case.yaml -o bodies2
 check 'gives the same numbers' cmp bodies/history.csv bodies2/history.csv
 check '--frames is --set output.frames' run_gives 0 small.yaml -o set --set output.frames=2

@@ -4,6 +4,7 @@
 set -u
 # shellcheck source=tests/system/tap.sh
 . "$(dirname "$0")/tap.sh"
+contact=$PWD/cases/contact-reversal.yaml
 cd "$work" || exit 1
 write_small_case small.yaml
 write_bodies_case bodies.yaml
@@ -27,6 +28,11 @@ chmod +x bad/gnuplot
 check 'a gnuplot that fails costs the curves only' with_path "$work/bad:/bin:/usr/bin" small.yaml -o no_curves
 check 'is said' says stderr 'note: no curves: gnuplot failed (7)'
 check 'the summary is there' test -s no_curves/summary.json
+check 'so does a contact run' with_path "$work/bad:/bin:/usr/bin" "$contact" -o contact_no_curves
+check 'and says so' says stderr 'note: no curves: gnuplot failed (7)'
+check 'without gnuplot a contact runs too' with_path "$work/none" "$contact" -o contact_alone
+check 'says that there are no curves' says stderr 'note: no curves: gnuplot is not installed'
+check 'all else is there' equals "$(listing contact_alone | tr '\n' ' ')" 'case.yaml contact.csv summary.json '
 check 'no part' no_parts no_curves
 printf '#!/bin/sh\necho no such encoder >&2\nexit 1\n' >bad/ffmpeg
 chmod +x bad/ffmpeg
