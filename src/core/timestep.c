@@ -10,14 +10,12 @@ typedef struct share {
     double inv_m, inv_I;
 } share;
 
-static double contact_limit(const tr_group *g, const tr_pair_bodies *bodies_, double r1, double r2, share one,
-                            share two) {
-    tr_pair_bodies pair = *bodies_, *bodies = &pair;
-    tr_stiffness f = {0}, r = {0}, n = g->slot[TR_NORMAL].law->stiffness(g->slot[TR_NORMAL].par, bodies);
+static double contact_limit(const tr_group *g, tr_pair_bodies bodies, double r1, double r2, share one, share two) {
+    tr_stiffness f = {0}, r = {0}, n = g->slot[TR_NORMAL].law->stiffness(g->slot[TR_NORMAL].par, &bodies);
     const tr_slot *friction = &g->slot[TR_FRICTION], *rolling = &g->slot[TR_ROLLING];
-    pair.f_n = n.k * TR_LARGEST_OVERLAP * (r1 > 0 ? fmin(r1, r2) : r2);
-    if (friction->law->step) f = friction->law->stiffness(friction->par, bodies);
-    if (rolling->law->step) r = rolling->law->stiffness(rolling->par, bodies);
+    bodies.f_n = n.k * TR_LARGEST_OVERLAP * (r1 > 0 ? fmin(r1, r2) : r2);
+    if (friction->law->step) f = friction->law->stiffness(friction->par, &bodies);
+    if (rolling->law->step) r = rolling->law->stiffness(rolling->par, &bodies);
 
     double s = one.inv_m + two.inv_m;
     double normal = s > 0 ? (sqrt(n.c * n.c + 4 * n.k / s) - n.c) / n.k : INFINITY;
@@ -29,7 +27,8 @@ static double contact_limit(const tr_group *g, const tr_pair_bodies *bodies_, do
     double mixed = sqrt(f.k * r.k) * (r1 * r.lever1 * one.inv_I - r2 * r.lever2 * two.inv_I + r.along * s);
     double w2 = 0.5 * (slide + roll + sqrt((slide - roll) * (slide - roll) + 4 * mixed * mixed));
     double tangential = w2 > 0 ? 2 / sqrt(w2) : INFINITY, damp = r.c * spins;
-    if (damp > 0 && w2 > 0) tangential = (sqrt(damp * damp + 4 * w2) - damp) / w2; /* below the bound: w2 is of both */
+    if (damp > 0 && w2 > 0)
+        tangential = (sqrt(damp * damp + 4 * w2) - damp) / w2; /* as if all of w2 were damped: cautious */
     return fmin(normal, tangential);
 }
 
@@ -67,7 +66,7 @@ tr_timestep_limit tr_timestep_contacts(const tr_world *world) {
             share two = {z[b] * d->inv[4 * b], z[b] * d->inv[4 * b + 2]};
             share one = {wall->mass > 0 ? wall_z[a < TR_MAX_WALLS ? a : 0] / wall->mass : 0, 0};
             if (!g->walls) one = (share){z[a] * d->inv[4 * a], z[a] * d->inv[4 * a + 2]};
-            double dt = contact_limit(g, &bodies, bodies.R1, bodies.R2, one, two);
+            double dt = contact_limit(g, bodies, bodies.R1, bodies.R2, one, two);
             if (dt < limit.dt) limit = (tr_timestep_limit){dt, k, i};
         }
     }
@@ -85,7 +84,7 @@ static double pair_limit(const tr_world *world, int i, int j, double r_min) {
     size_t a = 4 * (size_t)i, b = 4 * (size_t)j;
     double za = most_contacts(world, i, r_min), zb = most_contacts(world, j, r_min);
     tr_pair_bodies bodies = {d->pos[a + 3], d->pos[b + 3], d->mass[i], d->mass[j], 0};
-    return contact_limit(&world->group[0], &bodies, bodies.R1, bodies.R2, (share){za * d->inv[a], za * d->inv[a + 2]},
+    return contact_limit(&world->group[0], bodies, bodies.R1, bodies.R2, (share){za * d->inv[a], za * d->inv[a + 2]},
                          (share){zb * d->inv[b], zb * d->inv[b + 2]});
 }
 
@@ -109,7 +108,7 @@ double tr_timestep_worst(const tr_world *world) {
         double z = most_contacts(world, i, r_min), R = d->pos[4 * (size_t)i + 3];
         tr_pair_bodies wall = {0, R, INFINITY, d->mass[i], 0};
         share own = {z * d->inv[4 * (size_t)i], z * d->inv[4 * (size_t)i + 2]};
-        bound = fmin(bound, contact_limit(&world->group[1], &wall, 0, R, (share){0, 0}, own));
+        bound = fmin(bound, contact_limit(&world->group[1], wall, 0, R, (share){0, 0}, own));
     }
     return bound;
 }

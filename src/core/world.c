@@ -79,12 +79,11 @@ void tr_group_attach(tr_group *group, tr_sink *sink, const char *name, tr_pass_r
 static void group_choose(tr_group *g, const tr_scene_contact *contact, bool normal_only, int rolling_velocity) {
     group_free(g);
     g->n_pair = 3;
-    const tr_law *none_f = NULL, *none_r = NULL;
-    for (int i = 0; !none_f; i++) none_f = tr_laws_friction[i]->step ? NULL : tr_laws_friction[i];
-    for (int i = 0; !none_r; i++) none_r = tr_laws_rolling[i]->step ? NULL : tr_laws_rolling[i];
     group_take(g, TR_NORMAL, tr_laws_normal[contact->normal.law], &contact->normal);
-    group_take(g, TR_FRICTION, normal_only ? none_f : tr_laws_friction[contact->friction.law], &contact->friction);
-    group_take(g, TR_ROLLING, normal_only ? none_r : tr_laws_rolling[contact->rolling.law], &contact->rolling);
+    group_take(g, TR_FRICTION, normal_only ? &tr_friction_none : tr_laws_friction[contact->friction.law],
+               &contact->friction);
+    group_take(g, TR_ROLLING, normal_only ? &tr_rolling_none : tr_laws_rolling[contact->rolling.law],
+               &contact->rolling);
     const tr_law *friction = g->slot[TR_FRICTION].law, *rolling = g->slot[TR_ROLLING].law;
     g->spins = friction->step || rolling->step;
 

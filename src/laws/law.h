@@ -111,6 +111,7 @@ typedef struct tr_law {
 
 /* The registry. Index = tr_scene_law.law. */
 extern const tr_law *const tr_laws_normal[], *const tr_laws_friction[], *const tr_laws_rolling[];
+extern const tr_law tr_friction_none, tr_rolling_none; /* their step is NULL */
 
 /* The rolling and the sliding velocities by author: a pass that writes tile->v_r (tile->v_s) from s1, s2, the radii and arms. */
 typedef struct tr_velocity_measure {

@@ -36,6 +36,7 @@ static json_t *begin(const tr_scene *scene, const char *kind) {
     json_object_set_new(o, "version", json_string(TR_VERSION));
     json_object_set_new(o, "kind", json_string(kind));
     if (scene->kind == TR_KIND_CONTACT) return o; /* nothing there is random */
+    if (scene->kind != TR_KIND_BIAXIAL) return o; /* nothing random */
     char seed[24]; /* JSON text has no limit, but jansson's integers are signed: the upper half as a string */
     snprintf(seed, sizeof seed, "%llu", (unsigned long long)scene->seed);
     bool fits = scene->seed <= INT64_MAX;

@@ -13,7 +13,7 @@ static const tr_param root[] = {
     {"kind", TR_CHOICE, TR_DIM_NUMBER, "", NULL, 0, 0, "biaxial|bodies|contact", AT(kind),
      "what is simulated: a biaxial test, a few bodies, or one contact along a path"},
 };
-static const tr_param root_worlds[] = {
+static const tr_param root_biaxial[] = {
     {"seed", TR_SEED, TR_DIM_NUMBER, "", "1", 0, 0, NULL, AT(seed),
      "start of the random numbers: same seed, same sample"},
 };
@@ -180,7 +180,7 @@ static const tr_param path_start[] = {
     .max_items = most
 const tr_section tr_sections[] = {
     SECTION("", "", TR_FOR_ALL, root, .offset = 0),
-    SECTION("", "", TR_FOR_WORLDS, root_worlds, .offset = 0),
+    SECTION("", "", TR_FOR_BIAXIAL, root_biaxial, .offset = 0),
     SECTION("", "", TR_FOR_BODIES, root_bodies, .offset = 0),
     SECTION("", "", TR_FOR_CONTACT, root_contact, .offset = 0, .derived = true),
     SECTION("sample", "disks before compaction", TR_FOR_BIAXIAL, sample, .offset = AT(sample)),

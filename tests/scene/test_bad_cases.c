@@ -72,6 +72,9 @@ static const bad_case rows[] = {
     {GOOD "gravity: {y: -9.81}\n", 0, NULL,
      "a.yaml:5:1: error: `gravity` is not for `kind: biaxial`; allowed here: kind, seed, sample, contact, compaction, "
      "shear, step, output\ngravity: {y: -9.81}\n^"},
+    {GOOD_BODIES "seed: 3\n", 0, NULL, /* nothing is random there */
+     "a.yaml:5:1: error: `seed` is not for `kind: bodies`; allowed here: kind, time_end, contact, gravity, step, "
+     "output, disks, walls\nseed: 3\n^"},
     {GOOD_BODIES "output: {energy: yes}\n", 0, NULL,
      "a.yaml:5:10: error: `output.energy` is not for `kind: bodies`; allowed here: frames, rows, contacts"
      "\noutput: {energy: yes}\n         ^"},

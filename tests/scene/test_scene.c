@@ -233,7 +233,6 @@ static void written_text(void **state) {
     const char *const lines[] = {
         "kind: bodies                               # what is simulated: a biaxial test, a few bodies, or one contact "
         "along a path\n"
-        "seed: 1                                    # start of the random numbers: same seed, same sample\n"
         "time_end: 0.1                              # time that the run covers [s]\n"
         "\ncontact: # what two disks do to each other\n"
         "  normal: linear                           # law of the normal force\n",

@@ -142,7 +142,7 @@ check 'another seed, another sample' not cmp -s plain/history.csv seed/history.c
 check 'the seed is in the summary' says seed/summary.json '"seed": 4'
 check 'the last --set wins' run_gives 0 small.yaml -o last --seed 9 --seed 4
 check 'same bytes' same seed last
-check 'the largest seed' run_gives 0 bodies.yaml -o large --seed 18446744073709551615
+check 'the largest seed' run_gives 0 small.yaml -o large --seed 18446744073709551615
 check 'comes through whole' says large/summary.json 18446744073709551615
 
 # ---- a finished run and --force ----
