@@ -8,32 +8,47 @@
 
 #include <stddef.h>
 
-/* Powers of kg, m, s. Angles are numbers. */
+/* What a contact is between: disks are cylinders per metre of length (forces N/m, masses kg/m, stiffnesses N/m per m =
+ * Pa), spheres move in the plane (N, kg, N/m). */
+typedef enum tr_shape { TR_SHAPE_DISK, TR_SHAPE_SPHERE } tr_shape;
+
+/* Powers of kg, m, s, those of disks. line: of them per metre of length; spheres have as many metres more. Angles are
+ * numbers. */
 typedef struct tr_dim {
-    signed char kg, m, s;
+    signed char kg, m, s, line;
 } tr_dim;
 
-/* A disk is a cylinder per metre of length: forces N/m, masses kg/m, stiffnesses N/m per m = Pa. */
+static inline tr_dim tr_dim_of(tr_dim dim, tr_shape shape) {
+    return (tr_dim){dim.kg, (signed char)(shape == TR_SHAPE_SPHERE ? dim.m + dim.line : dim.m), dim.s, 0};
+}
+
 #define TR_DIM_NUMBER                                                                                                  \
-    { 0, 0, 0 }
+    { 0, 0, 0, 0 }
 #define TR_DIM_LENGTH                                                                                                  \
-    { 0, 1, 0 }
+    { 0, 1, 0, 0 }
 #define TR_DIM_TIME                                                                                                    \
-    { 0, 0, 1 }
+    { 0, 0, 1, 0 }
 #define TR_DIM_SPEED                                                                                                   \
-    { 0, 1, -1 }
+    { 0, 1, -1, 0 }
 #define TR_DIM_SPIN                                                                                                    \
-    { 0, 0, -1 }
+    { 0, 0, -1, 0 }
 #define TR_DIM_ACCELERATION                                                                                            \
-    { 0, 1, -2 }
+    { 0, 1, -2, 0 }
 #define TR_DIM_DENSITY                                                                                                 \
-    { 1, -3, 0 }
-#define TR_DIM_LINE_FORCE                                                                                              \
-    { 1, 0, -2 }
-#define TR_DIM_PRESSURE                                                                                                \
-    { 1, -1, -2 }
+    { 1, -3, 0, 0 }
+#define TR_DIM_MODULUS                                                                                                 \
+    { 1, -1, -2, 0 }
+#define TR_DIM_FORCE                                                                                                   \
+    { 1, 0, -2, 1 }
+#define TR_DIM_STRESS                                                                                                  \
+    { 1, -1, -2, 1 }
 #define TR_DIM_STIFFNESS                                                                                               \
-    { 1, -1, -2 }
+    { 1, -1, -2, 1 }
+
+/* Units and defaults that differ by shape are written "disk|sphere". The part for a shape, in buffer if it is not the
+ * whole text. */
+enum { TR_BY_SHAPE = 80 };
+const char *tr_param_by_shape(const char *text, tr_shape shape, char buffer[TR_BY_SHAPE]);
 
 typedef enum tr_type {
     TR_REAL,   /* double: a quantity with dimension dim */
@@ -47,13 +62,22 @@ typedef struct tr_param {
     const char *key;
     tr_type type;
     tr_dim dim;           /* of a TR_REAL */
-    const char *unit;     /* how dim is printed: "Pa", "m/s", "1" */
+    const char *unit;     /* how dim is printed: "m/s", "1", "Pa|N/m" (disks|spheres) */
     const char *fallback; /* default as a case file would say it, e.g. "0.5*k_n"; NULL: the key must be given */
     double min, max;      /* allowed range, SI, both ends included; a TR_REAL is always finite */
-    const char *choices;  /* TR_CHOICE: "a|b|c" */
+    const char *choices;  /* TR_CHOICE: "a|b|c". TR_REAL: the key that may stand in the place of this one, which then is
+                             NaN; NULL: none */
     size_t offset;        /* of the value in the struct that the row describes */
     const char *doc;      /* one line: meaning, and the source where there is one */
 } tr_param;
+
+/* What a law demands of a case. */
+typedef enum tr_demands {
+    TR_ONLY_DISKS = 1,
+    TR_ONLY_SPHERES = 2,
+    TR_NEEDS_TIME = 4,    /* of a prescribed path: the law depends on the rate */
+    TR_NEEDS_DENSITY = 8, /* of the bodies on a prescribed path: the law depends on their inertia */
+} tr_demands;
 
 /* A named set of parameters: a law. n rows. */
 typedef struct tr_param_table {
@@ -61,6 +85,8 @@ typedef struct tr_param_table {
     const char *doc;
     const tr_param *params;
     int n;
+    unsigned demands;          /* tr_demands */
+    const char *driver_choice; /* a choice of one of the parameters that only kind: contact has; NULL: none */
 } tr_param_table;
 
 /* What the registry of laws tells the reader of cases, which does not see laws. Name of law i: normal[i]->name. */

@@ -46,7 +46,13 @@ static void paragraph(const char *label, const char *text) {
 
 static void print_param(const tr_param *p) {
     char what[64] = "", range[64] = "";
-    if (p->type == TR_REAL) snprintf(what, sizeof what, " [%s]", p->unit);
+    if (p->type == TR_REAL) {
+        char disk[TR_BY_SHAPE], sphere[TR_BY_SHAPE];
+        const char *of_disk = tr_param_by_shape(p->unit, TR_SHAPE_DISK, disk),
+                   *of_sphere = tr_param_by_shape(p->unit, TR_SHAPE_SPHERE, sphere);
+        bool differ = strcmp(of_disk, of_sphere) != 0;
+        snprintf(what, sizeof what, " [%s%s%s]", of_disk, differ ? "; spheres " : "", differ ? of_sphere : "");
+    }
     if (p->type == TR_CHOICE)
         snprintf(range, sizeof range, "%s", p->choices);
     else if (p->type == TR_SWITCH)
@@ -76,6 +82,8 @@ static void show(const char *slot, const tr_law *law) {
     paragraph("formula", law->formula);
     if (law->source) paragraph("source", law->source);
     if (law->differs) paragraph("differs from the print", law->differs);
+    unsigned only = law->table.demands & (TR_ONLY_DISKS | TR_ONLY_SPHERES);
+    printf("  for\n    %s\n", only == TR_ONLY_DISKS ? "disks" : only ? "spheres" : "disks and spheres");
     if (law->table.n) printf("  parameters (under contact:)\n");
     for (int i = 0; i < law->table.n; i++) print_param(&law->table.params[i]);
     print_claims(law->claims);

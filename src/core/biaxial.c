@@ -57,7 +57,7 @@ bool tr_biaxial_init(tr_biaxial *b, const tr_scene *scene, tr_status *st) {
             st, TR_BAD_CASE,
             "error: compaction.mu = %g needs a friction law with a coefficient mu, not contact.friction: %s",
             scene->compaction.mu, tr_laws_friction[friction->law]->table.name);
-    if (!tr_world_init(&b->world, n, st)) return false;
+    if (!tr_world_init(&b->world, n, scene->shape, st)) return false;
     if (!tr_sample_throw(&b->world, &scene->sample, scene->seed, &side, st)) return tr_biaxial_free(b), false;
     b->disk_area = tr_measures_disk_area(&b->world.disks);
     for (int i = 0; i < n; i++) mass += b->world.disks.mass[i], radius_sum += b->world.disks.pos[4 * (size_t)i + 3];
@@ -79,7 +79,8 @@ bool tr_biaxial_init(tr_biaxial *b, const tr_scene *scene, tr_status *st) {
               tr_world_set_laws(&b->world, &laws, true, 0, st);
     if (!ok) return tr_biaxial_free(b), false;
     const tr_slot *normal = &b->world.group[0].slot[TR_NORMAL];
-    tr_pair_bodies twins = {radius_sum / n, radius_sum / n, b->mean_mass, b->mean_mass, 0};
+    double R = radius_sum / n, load = 2 * R * scene->compaction.pressure;
+    double delta = normal->law->overlap(normal->par, R, R, load);
     if (closing_steps(b) > MOST_STEPS) {
         tr_status_fail(
             st, TR_BAD_CASE,
@@ -88,7 +89,7 @@ bool tr_biaxial_init(tr_biaxial *b, const tr_scene *scene, tr_status *st) {
             closing_steps(b), MOST_STEPS);
         return tr_biaxial_free(b), false;
     }
-    b->drag = DRAG * sqrt(normal->law->stiffness(normal->par, &twins).k / b->mean_mass);
+    b->drag = DRAG * sqrt(normal->law->elastic(normal->par, R, R, delta).stiffness / b->mean_mass);
     return true;
 }
 

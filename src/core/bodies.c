@@ -41,7 +41,7 @@ static bool choose_step(tr_bodies *b, const tr_scene *scene, tr_status *st) {
 bool tr_bodies_init(tr_bodies *b, const tr_scene *scene, tr_status *st) {
     tr_world *world = &b->world;
     *b = (tr_bodies){0};
-    bool ok = tr_world_init(world, scene->n_disks, st) && fill(world, scene, st) &&
+    bool ok = tr_world_init(world, scene->n_disks, scene->shape, st) && fill(world, scene, st) &&
               tr_world_set_laws(world, &scene->contact, false, TR_SINK_ARCS, st) && choose_step(b, scene, st) &&
               tr_step_forces(world, st);
     if (!ok) return tr_bodies_free(b), false;

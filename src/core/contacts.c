@@ -47,12 +47,11 @@ static void group_begin(tr_group *g) {
 
 /* Appends contact (a, b); *old walks the old list, which is sorted like the new one. */
 static void group_append(tr_world *world, tr_group *g, int a, int b, int *old) {
-    const tr_disks *d = &world->disks;
     int i = g->n++;
     g->a[i] = a, g->b[i] = b;
-    double R1 = g->walls ? 0 : d->pos[4 * (size_t)a + 3], R2 = d->pos[4 * (size_t)b + 3];
-    g->pair[0][i] = R1, g->pair[1][i] = R2, g->pair[2][i] = g->walls ? 1 : R1 / (R1 + R2);
-    tr_pair_bodies bodies = {R1, R2, g->walls ? INFINITY : d->mass[a], d->mass[b], 0};
+    tr_pair_bodies bodies = tr_world_pair(world, g, a, b);
+    g->pair[0][i] = bodies.R1, g->pair[1][i] = bodies.R2;
+    g->pair[2][i] = g->walls ? 1 : bodies.R1 / (bodies.R1 + bodies.R2);
     for (int s = 0; s < TR_N_SLOTS; s++) {
         const tr_slot *slot = &g->slot[s];
         double constants[TR_MAX_PAIR];
@@ -186,7 +185,6 @@ bool tr_contacts_refresh(tr_world *world, tr_status *st) {
     bool enough = world->searches > 0 && world->near.n && 2 * moved + world->thin_skin <= world->wide_skin;
     if (!enough && !search(world, st)) return false;
     if (!refresh_disks(world, st) || !refresh_walls(world, st)) return false;
-    tr_group_bind(&world->group[0]), tr_group_bind(&world->group[1]);
     copy_centres(&world->disks, world->thin_ref);
     world->wall_moved = 0;
     world->stale = false;

@@ -10,10 +10,13 @@ typedef struct share {
     double inv_m, inv_I;
 } share;
 
-static double contact_limit(const tr_group *g, tr_pair_bodies bodies, double r1, double r2, share one, share two) {
-    tr_stiffness f = {0}, r = {0}, n = g->slot[TR_NORMAL].law->stiffness(g->slot[TR_NORMAL].par, &bodies);
-    const tr_slot *friction = &g->slot[TR_FRICTION], *rolling = &g->slot[TR_ROLLING];
-    bodies.f_n = n.k * TR_LARGEST_OVERLAP * (r1 > 0 ? fmin(r1, r2) : r2);
+/* bodies.delta: the overlap to expect. */
+static double contact_limit(const tr_group *g, tr_pair_bodies bodies, share one, share two) {
+    const tr_slot *spring = &g->slot[TR_NORMAL], *friction = &g->slot[TR_FRICTION], *rolling = &g->slot[TR_ROLLING];
+    double r1 = bodies.R1, r2 = bodies.R2;
+    tr_elastic there = spring->law->elastic(spring->par, r1, r2, bodies.delta);
+    bodies.f_n = there.force, bodies.k_n = there.stiffness;
+    tr_stiffness f = {0}, r = {0}, n = spring->law->stiffness(spring->par, &bodies);
     if (friction->law->step) f = friction->law->stiffness(friction->par, &bodies);
     if (rolling->law->step) r = rolling->law->stiffness(rolling->par, &bodies);
 
@@ -32,12 +35,12 @@ static double contact_limit(const tr_group *g, tr_pair_bodies bodies, double r1,
     return fmin(normal, tangential);
 }
 
-static bool touches(const tr_world *world, const tr_group *g, int i) {
+static double overlap(const tr_world *world, const tr_group *g, int i) {
     const double *q = world->disks.pos + 4 * (size_t)g->b[i];
-    if (g->walls) return tr_contacts_wall_distance(&world->wall[g->a[i]], q) < q[3];
+    if (g->walls) return q[3] - tr_contacts_wall_distance(&world->wall[g->a[i]], q);
     const double *p = world->disks.pos + 4 * (size_t)g->a[i];
-    double dx = q[0] - p[0], dy = q[1] - p[1], reach = p[3] + q[3];
-    return dx * dx + dy * dy < reach * reach;
+    double dx = q[0] - p[0], dy = q[1] - p[1];
+    return p[3] + q[3] - sqrt(dx * dx + dy * dy);
 }
 
 tr_timestep_limit tr_timestep_contacts(const tr_world *world) {
@@ -48,7 +51,7 @@ tr_timestep_limit tr_timestep_contacts(const tr_world *world) {
     for (int k = 0; k < 2; k++) {
         const tr_group *g = &world->group[k];
         for (int i = 0; i < g->n; i++) {
-            if (!touches(world, g, i)) continue;
+            if (!(overlap(world, g, i) > 0)) continue;
             z[g->b[i]]++;
             if (g->walls)
                 wall_z[g->a[i]]++;
@@ -59,14 +62,15 @@ tr_timestep_limit tr_timestep_contacts(const tr_world *world) {
     for (int k = 0; k < 2; k++) {
         const tr_group *g = &world->group[k];
         for (int i = 0; i < g->n; i++) {
-            if (!touches(world, g, i)) continue;
+            if (!(overlap(world, g, i) > 0)) continue;
             size_t a = (size_t)g->a[i], b = (size_t)g->b[i];
             const tr_wall *wall = &world->wall[g->walls ? a : 0];
-            tr_pair_bodies bodies = {g->pair[0][i], g->pair[1][i], g->walls ? INFINITY : d->mass[a], d->mass[b], 0};
+            tr_pair_bodies bodies = tr_world_pair(world, g, g->a[i], g->b[i]);
+            bodies.delta = overlap(world, g, i);
             share two = {z[b] * d->inv[4 * b], z[b] * d->inv[4 * b + 2]};
             share one = {wall->mass > 0 ? wall_z[a < TR_MAX_WALLS ? a : 0] / wall->mass : 0, 0};
             if (!g->walls) one = (share){z[a] * d->inv[4 * a], z[a] * d->inv[4 * a + 2]};
-            double dt = contact_limit(g, bodies, bodies.R1, bodies.R2, one, two);
+            double dt = contact_limit(g, bodies, one, two);
             if (dt < limit.dt) limit = (tr_timestep_limit){dt, k, i};
         }
     }
@@ -83,8 +87,9 @@ static double pair_limit(const tr_world *world, int i, int j, double r_min) {
     const tr_disks *d = &world->disks;
     size_t a = 4 * (size_t)i, b = 4 * (size_t)j;
     double za = most_contacts(world, i, r_min), zb = most_contacts(world, j, r_min);
-    tr_pair_bodies bodies = {d->pos[a + 3], d->pos[b + 3], d->mass[i], d->mass[j], 0};
-    return contact_limit(&world->group[0], bodies, bodies.R1, bodies.R2, (share){za * d->inv[a], za * d->inv[a + 2]},
+    tr_pair_bodies bodies = tr_world_pair(world, &world->group[0], i, j);
+    bodies.delta = TR_EXPECTED_OVERLAP * fmin(bodies.R1, bodies.R2);
+    return contact_limit(&world->group[0], bodies, (share){za * d->inv[a], za * d->inv[a + 2]},
                          (share){zb * d->inv[b], zb * d->inv[b + 2]});
 }
 
@@ -106,9 +111,10 @@ double tr_timestep_worst(const tr_world *world) {
         for (int j = i + 1; j < d->n && d->n <= few; j++) bound = fmin(bound, pair_limit(world, i, j, r_min));
         if (!world->n_walls) continue;
         double z = most_contacts(world, i, r_min), R = d->pos[4 * (size_t)i + 3];
-        tr_pair_bodies wall = {0, R, INFINITY, d->mass[i], 0};
+        tr_pair_bodies wall = tr_world_pair(world, &world->group[1], 0, i);
+        wall.delta = TR_EXPECTED_OVERLAP * R;
         share own = {z * d->inv[4 * (size_t)i], z * d->inv[4 * (size_t)i + 2]};
-        bound = fmin(bound, contact_limit(&world->group[1], wall, 0, R, (share){0, 0}, own));
+        bound = fmin(bound, contact_limit(&world->group[1], wall, (share){0, 0}, own));
     }
     return bound;
 }

@@ -18,6 +18,10 @@
 
 #include "core/world.h"
 
+/* Of the smaller radius: for springs that stiffen with the overlap, where no contact is known yet. What overlaps more
+ * shows in tr_timestep_contacts, which looks at the overlaps that are. */
+#define TR_EXPECTED_OVERLAP 0.01
+
 typedef struct tr_timestep_limit {
     double dt;          /* [s]; infinite if nothing touches */
     int group, contact; /* which contact sets it */

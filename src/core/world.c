@@ -11,8 +11,8 @@
 
 static const double WIDE_SKIN = 0.30, THIN_SKIN = 0.05; /* of the mean diameter; the speed is flat around these */
 
-bool tr_world_init(tr_world *world, int n, tr_status *st) {
-    *world = (tr_world){.disks.n = n, .group[1].walls = true, .stale = true};
+bool tr_world_init(tr_world *world, int n, tr_shape shape, tr_status *st) {
+    *world = (tr_world){.shape = shape, .disks.n = n, .group[1].walls = true, .stale = true};
     tr_disks *d = &world->disks;
     size_t lanes = (size_t)n * 4;
     world->broad = tr_broad_choose(n);
@@ -47,11 +47,12 @@ void tr_world_free(tr_world *world) {
 void tr_world_set_disk(tr_world *world, int i, double x, double y, double angle, double radius, double density,
                        bool prescribed) {
     double *pos = world->disks.pos + 4 * (size_t)i, *inv = world->disks.inv + 4 * (size_t)i;
-    double m = density * M_PI * radius * radius;
+    bool sphere = world->shape == TR_SHAPE_SPHERE;
+    double m = density * M_PI * radius * radius * (sphere ? 4 * radius / 3 : 1);
     pos[0] = x, pos[1] = y, pos[2] = angle, pos[3] = radius;
     world->disks.mass[i] = m;
     inv[0] = inv[1] = prescribed ? 0 : 1 / m;
-    inv[2] = prescribed ? 0 : 2 / (m * radius * radius);
+    inv[2] = prescribed ? 0 : (sphere ? 2.5 : 2) / (m * radius * radius);
     world->stale = true;
 }
 
@@ -65,7 +66,9 @@ static void group_take(tr_group *g, int which, const tr_law *law, const tr_scene
 
 static void group_add_pass(tr_group *g, const char *name, tr_pass_run *run, const tr_slot *slot) {
     assert(g->n_pass < TR_MAX_PASSES);
-    g->pass[g->n_pass++] = (tr_pass){.name = name, .run = run, .slot = slot};
+    tr_pass *pass = &g->pass[g->n_pass++];
+    *pass = (tr_pass){.name = name, .run = run};
+    if (slot) pass->data = tr_group_data(g, slot);
 }
 
 void tr_group_attach(tr_group *group, tr_sink *sink, const char *name, tr_pass_run *run, int n_hist) {
@@ -76,8 +79,10 @@ void tr_group_attach(tr_group *group, tr_sink *sink, const char *name, tr_pass_r
 }
 
 /* The list of passes a scene asked for: what it leaves out is not there. */
-static void group_choose(tr_group *g, const tr_scene_contact *contact, bool normal_only, int rolling_velocity) {
+static void group_choose(tr_group *g, const tr_scene_contact *contact, bool normal_only, int rolling_velocity,
+                         tr_shape shape) {
     group_free(g);
+    g->shape = shape;
     g->n_pair = 3;
     group_take(g, TR_NORMAL, tr_laws_normal[contact->normal.law], &contact->normal);
     group_take(g, TR_FRICTION, normal_only ? &tr_friction_none : tr_laws_friction[contact->friction.law],
@@ -112,7 +117,7 @@ bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool sm
     if (sinks & TR_SINK_LEDGER && !(world->ledger = tr_alloc(1, sizeof *world->ledger, st))) return false;
     for (int k = 0; k < 2; k++) {
         tr_group *g = &world->group[k];
-        group_choose(g, contact, g->walls && smooth_walls, contact->rolling_velocity);
+        group_choose(g, contact, g->walls && smooth_walls, contact->rolling_velocity, world->shape);
         if (sinks & TR_SINK_LEDGER) tr_ledger_attach(g, world->ledger);
         if (sinks & TR_SINK_ARCS) tr_arcs_attach(g);
     }
@@ -121,11 +126,27 @@ bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool sm
     return world->finder != NULL;
 }
 
+tr_pair_bodies tr_world_pair(const tr_world *world, const tr_group *group, int a, int b) {
+    const tr_disks *d = &world->disks;
+    double R1 = group->walls ? 0 : d->pos[4 * (size_t)a + 3], R2 = d->pos[4 * (size_t)b + 3];
+    double m1 = group->walls ? INFINITY : d->mass[a], m2 = d->mass[b];
+    double of_mass = world->shape == TR_SHAPE_SPHERE ? 0.4 : 0.5; /* inv is no help: 0 where the motion is prescribed */
+    return (tr_pair_bodies){.R1 = R1,
+                            .R2 = R2,
+                            .m1 = m1,
+                            .m2 = m2,
+                            .I1 = group->walls ? INFINITY : of_mass * m1 * R1 * R1,
+                            .I2 = of_mass * m2 * R2 * R2};
+}
+
 tr_law_data tr_group_data(const tr_group *group, const tr_slot *slot) {
-    tr_law_data data = {.par = slot->par};
-    for (int k = 0; k < slot->law->n_hist; k++) data.hist[k] = group->hist[slot->hist + k];
-    for (int k = 0; k < slot->law->n_pair; k++) data.pair[k] = group->pair[slot->pair + k];
-    return data;
+    const tr_slot *normal = &group->slot[TR_NORMAL];
+    return (tr_law_data){.par = slot->par,
+                         .hist = group->hist + slot->hist,
+                         .pair = group->pair + slot->pair,
+                         .normal = normal->law,
+                         .normal_par = normal->par,
+                         .shape = group->shape};
 }
 
 double *tr_slot_value(const tr_law *law, double par[TR_LAW_PAR], const char *key) {
@@ -133,11 +154,6 @@ double *tr_slot_value(const tr_law *law, double par[TR_LAW_PAR], const char *key
         if (law->table.params[k].type == TR_REAL && !strcmp(law->table.params[k].key, key))
             return (double *)(void *)((char *)par + law->table.params[k].offset);
     return NULL;
-}
-
-void tr_group_bind(tr_group *group) {
-    for (int k = 0; k < group->n_pass; k++)
-        if (group->pass[k].slot) group->pass[k].data = tr_group_data(group, group->pass[k].slot);
 }
 
 size_t tr_world_bytes(const tr_world *world) {

@@ -75,9 +75,8 @@ typedef struct tr_sink {
 typedef struct tr_pass {
     const char *name;
     tr_pass_run *run;
-    const tr_slot *slot; /* NULL: not a law's */
     bool sink;
-    tr_law_data data;    /* set by tr_group_bind */
+    tr_law_data data;
 } tr_pass;
 
 enum { TR_NORMAL, TR_FRICTION, TR_ROLLING, TR_N_SLOTS };
@@ -85,6 +84,7 @@ enum { TR_NORMAL, TR_FRICTION, TR_ROLLING, TR_N_SLOTS };
 /* Contacts that share a pipeline. In the group of walls, a is the number of a wall. */
 struct tr_group {
     bool walls;
+    tr_shape shape;
     bool spins; /* friction or rolling: spins are gathered and torques scattered */
     int n, capacity;
     int *a, *b;
@@ -108,6 +108,7 @@ struct tr_ledger {
 };
 
 typedef struct tr_world {
+    tr_shape shape;          /* of all bodies */
     double dt;               /* [s]; set by the driver, see timestep.h */
     bool allow_unstable;     /* do not fail when dt is above the bound of the contacts */
     int64_t steps;           /* taken so far; time = steps * dt */
@@ -137,12 +138,12 @@ typedef enum tr_sinks {
     TR_SINK_ARCS = 2,   /* da, db of each contact since it formed */
 } tr_sinks;
 
-/* A world of n disks (numbers 0..n-1), all at rest at 0 with radius and mass 0: the caller sets disks, then
+/* A world of n disks or spheres (numbers 0..n-1), all at rest at 0 with radius and mass 0: the caller sets disks, then
  * walls, then laws. A world must not be copied or moved once its laws are set (passes point into it). */
-bool tr_world_init(tr_world *world, int n, tr_status *st);
+bool tr_world_init(tr_world *world, int n, tr_shape shape, tr_status *st);
 void tr_world_free(tr_world *world);
 
-/* Centre [m], angle [rad], radius [m], density [kg/m^3]; I = m R^2/2. prescribed: keeps its velocity whatever acts on
+/* Centre [m], angle [rad], radius [m], density [kg/m^3]; I = m R^2/2, of a sphere 2 m R^2/5. prescribed: keeps its velocity whatever acts on
  * it. */
 void tr_world_set_disk(tr_world *world, int i, double x, double y, double angle, double radius, double density,
                        bool prescribed);
@@ -155,14 +156,14 @@ bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool sm
 /* Adds a sink at the end of a pipeline, with n_hist arrays of its own. */
 void tr_group_attach(tr_group *group, tr_sink *sink, const char *name, tr_pass_run *run, int n_hist);
 
+/* Two bodies of a group, a wall and a disk in that of walls. Their overlap is for the caller to fill in. */
+tr_pair_bodies tr_world_pair(const tr_world *world, const tr_group *group, int a, int b);
+
 /* What the law of a slot sees. */
 tr_law_data tr_group_data(const tr_group *group, const tr_slot *slot);
 
 /* A real parameter of a law by its key; NULL: the law has none of that name. */
 double *tr_slot_value(const tr_law *law, double par[TR_LAW_PAR], const char *key);
-
-/* Points the passes at the group's arrays; after every change of these. */
-void tr_group_bind(tr_group *group);
 
 /* Bytes that the world holds. */
 size_t tr_world_bytes(const tr_world *world);

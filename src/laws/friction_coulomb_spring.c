@@ -15,7 +15,8 @@ typedef struct par {
 
 static const tr_param params[] = {
     {"mu", TR_REAL, TR_DIM_NUMBER, "1", NULL, 0, 100, NULL, offsetof(par, mu), "friction coefficient"},
-    {"k_t", TR_REAL, TR_DIM_STIFFNESS, "Pa", "0.5*k_n", 1e-3, 1e15, NULL, offsetof(par, k_t), "tangential stiffness"},
+    {"k_t", TR_REAL, TR_DIM_STIFFNESS, "Pa|N/m", "0.5*k_n", 1e-3, 1e15, NULL, offsetof(par, k_t),
+     "tangential stiffness"},
 };
 
 TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict data) {
@@ -46,7 +47,7 @@ static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *bodies) {
 }
 
 const tr_law tr_friction_coulomb_spring = {
-    .table = {"coulomb-spring", "tangential spring capped at mu f_n", params, sizeof params / sizeof *params},
+    .table = {"coulomb-spring", "tangential spring capped at mu f_n", params, .n = sizeof params / sizeof *params},
     .source = "[Cundall1979]",
     .formula = "Q <- Q + k_t Vs dt, clamped to |Q| <= mu f_n; force on body 2: -Q t",
     .claims = TR_RATE_INDEPENDENT | TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,

@@ -33,8 +33,9 @@ typedef struct par {
 
 static const tr_param params[] = {
     {"mu", TR_REAL, TR_DIM_NUMBER, "1", NULL, 0, 100, NULL, offsetof(par, mu), "friction coefficient"},
-    {"k_t", TR_REAL, TR_DIM_STIFFNESS, "Pa", "0.5*k_n", 1e-3, 1e15, NULL, offsetof(par, k_t), "tangential stiffness"},
-    {"E_star", TR_REAL, TR_DIM_STIFFNESS, "Pa", NULL, 1e-3, 1e15, NULL, offsetof(par, E_star),
+    {"k_t", TR_REAL, TR_DIM_STIFFNESS, "Pa|N/m", "0.5*k_n", 1e-3, 1e15, NULL, offsetof(par, k_t),
+     "tangential stiffness"},
+    {"E_star", TR_REAL, TR_DIM_MODULUS, "Pa", NULL, 1e-3, 1e15, NULL, offsetof(par, E_star),
      "contact modulus, 1/E_star = sum of (1 - nu^2)/E of the two; sets the contact width"},
     {"creep_roll", TR_CHOICE, TR_DIM_NUMBER, "", "kuhn", 0, 0, "kuhn|wang", offsetof(par, creep_roll),
      "rolling that creeps: kuhn (s1 + s2)/2, the mean flow of material; wang R1R2/(R1+R2) (w1 - w2)"},
@@ -77,7 +78,7 @@ static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *bodies) {
 
 const tr_law tr_friction_dahlberg_alfredsson = {
     .table = {"dahlberg-alfredsson", "capped spring that creeps while the bodies roll", params,
-              sizeof params / sizeof *params},
+              .n = sizeof params / sizeof *params, .demands = TR_ONLY_DISKS},
     .source = "[Dahlberg2009] [Kuhn2014 eq. 11] [Carter1926]",
     .formula = "dQ = k_t (Vs dt - sgn(Q) F(|Q|/(mu P)) |du_roll|), |Q| <= mu P, P = f_n\n"
                "F(q) = (mu a/R) (1 - sqrt(1 - q)), a = sqrt(4 P R/(pi E_star)), 1/R = 1/R1 + 1/R2\n"

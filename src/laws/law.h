@@ -12,6 +12,9 @@
  * scatters the resultants to the bodies, and sinks (ledger, contact table) may read the finished tile.
  *
  * Body 1 is a, body 2 is b. n points from 1 to 2, t = n x k = (n_y, -n_x), rotations counter-clockwise.
+ *
+ * Units in brackets are those of disks, cylinders per metre of length. Spheres that move in the plane have a metre more:
+ * N for N/m, kg for kg/m, N/m for Pa (but Young's moduli, which stay).
  */
 #ifndef TR_LAW_H
 #define TR_LAW_H
@@ -19,9 +22,9 @@
 #include "base/param.h"
 
 enum {
-    TR_TILE = 64,    /* contacts in a tile, which then stays in the first-level cache */
-    TR_MAX_HIST = 2, /* doubles of history that one law keeps per contact */
-    TR_MAX_PAIR = 2, /* pair constants that one law precomputes */
+    TR_TILE = 64,     /* contacts in a tile, which then stays in the first-level cache */
+    TR_MAX_HIST = 40, /* doubles of history that one law keeps per contact */
+    TR_MAX_PAIR = 4,  /* pair constants that one law precomputes */
 };
 
 typedef double tr_lane[TR_TILE] __attribute__((aligned(64)));
@@ -53,20 +56,42 @@ typedef struct tr_tile {
     tr_lane fx, fy, q1, q2;
 } tr_tile;
 
+typedef struct tr_law tr_law;
+
 /* What a pass sees of the group besides the tile. Contact i of the tile is number tile->first + i of these arrays. */
 typedef struct tr_law_data {
     const void *par; /* the law's parameter struct */
-    double *hist[TR_MAX_HIST];
-    const double *pair[TR_MAX_PAIR];
+    double *const *hist, *const *pair;
+    /* for friction laws that follow the curve of the normal force [Jaeger2005]: that law, its parameters, the shape */
+    const tr_law *normal;
+    const void *normal_par;
+    tr_shape shape;
 } tr_law_data;
 
 typedef void tr_pass_run(tr_tile *tile, const tr_law_data *data);
 
-/* Two bodies that may touch: radii [m] (R1 = 0 at a wall) and masses [kg/m] (a wall's is infinite). f_n: for
- * tr_law.stiffness alone, the greatest normal force to expect [N/m]. */
+/* Two bodies that may touch: radii [m] (R1 = 0 at a wall), masses [kg/m] and moments of inertia [kg m] (a wall's are
+ * infinite). For tr_law.stiffness of friction and rolling laws also the greatest overlap to expect [m], with the normal
+ * force [N/m] and stiffness [Pa] there. */
 typedef struct tr_pair_bodies {
-    double R1, R2, m1, m2, f_n;
+    double R1, R2, m1, m2, I1, I2;
+    double delta, f_n, k_n;
 } tr_pair_bodies;
+
+/* 1/(1/R1 + 1/R2) [m], the same of masses; of a wall, and of infinite mass, the other's. */
+static inline double tr_law_R_star(double R1, double R2) {
+    return R1 > 0 ? R1 * R2 / (R1 + R2) : R2;
+}
+static inline double tr_law_m_eff(const tr_pair_bodies *b) {
+    return b->R1 > 0 ? b->m1 * b->m2 / (b->m1 + b->m2) : b->m2;
+}
+
+/* The elastic part of a normal law at one overlap. */
+typedef struct tr_elastic {
+    double force;     /* P(delta) [N/m] */
+    double energy;    /* int P ddelta [N] */
+    double stiffness; /* dP/ddelta [Pa] */
+} tr_elastic;
 
 /* Greatest stiffness and damping that a law can show in its own coordinate (overlap, sliding, rolling distance), for
  * the bound on the step: k [Pa], c [Pa s]. Rolling: V_r = lever1 w1 - lever2 w2 + along Vt; levers [m], along [1]. A
@@ -89,13 +114,14 @@ typedef enum tr_claims {
     TR_ENERGY_CLOSED = 8,    /* no closed cycle gains energy from it, at constant or changing normal force */
 } tr_claims;
 
-typedef struct tr_law {
-    tr_param_table table; /* name, doc, parameters */
+struct tr_law {
+    tr_param_table table; /* name, doc, parameters, demands */
     const char *source;   /* e.g. "[Wang2015 eq. 28]" */
     const char *formula;  /* as `trundle laws NAME` prints it; lines end in \n but the last */
     const char *differs;  /* what differs from the source as printed; NULL: nothing */
     unsigned claims;      /* tr_claims */
     int n_hist;           /* doubles of history per contact; all zero when a contact forms */
+    int merged;           /* 1 + number of the history that counts what did not fit into the others; 0: all fits */
     int n_pair;           /* pair constants per contact */
     unsigned needs;       /* tr_needs */
     /* Fills the pair constants of one contact; NULL when n_pair is 0. */
@@ -104,10 +130,14 @@ typedef struct tr_law {
      * "none". */
     tr_pass_run *step;
     /* For the sinks, after step: energy in the contacts [N], and the bound on |f_t| [N/m] or on the larger of
-     * |m1|, |m2| [N]. NULL with step. */
+     * |m1|, |m2| [N] (of a normal law: none). NULL with step. */
     void (*state)(const tr_tile *tile, const tr_law_data *data, double *energy, double *bound);
     tr_stiffness (*stiffness)(const void *par, const tr_pair_bodies *bodies);
-} tr_law;
+    /* Normal laws: the elastic force at an overlap >= 0, and the overlap [m] at an elastic force >= 0, of bodies with
+     * these radii (R1 = 0: a wall). */
+    tr_elastic (*elastic)(const void *par, double R1, double R2, double delta);
+    double (*overlap)(const void *par, double R1, double R2, double force);
+};
 
 /* The registry. Index = tr_scene_law.law. */
 extern const tr_law *const tr_laws_normal[], *const tr_laws_friction[], *const tr_laws_rolling[];

@@ -3,7 +3,10 @@
  * a slot is its default. */
 #include "laws/law.h"
 
-#define NORMAL_LAWS(X) X(normal_linear)
+#define NORMAL_LAWS(X)                                                                                                 \
+    X(normal_linear)                                                                                                   \
+    X(normal_hertz_line)                                                                                               \
+    X(normal_hertz_sphere)
 
 #define FRICTION_LAWS(X)                                                                                               \
     X(friction_coulomb_spring)                                                                                         \

@@ -16,14 +16,13 @@ typedef struct par {
 } par;
 
 static const tr_param params[] = {
-    {"k_n", TR_REAL, TR_DIM_STIFFNESS, "Pa", NULL, 1e-3, 1e15, NULL, offsetof(par, k_n), "normal stiffness"},
+    {"k_n", TR_REAL, TR_DIM_STIFFNESS, "Pa|N/m", NULL, 1e-3, 1e15, NULL, offsetof(par, k_n), "normal stiffness"},
     {"damping_ratio", TR_REAL, TR_DIM_NUMBER, "1", "0.3", 0, 10, NULL, offsetof(par, damping_ratio),
      "normal dashpot, as a share of critical damping of the pair"},
 };
 
 static double dashpot(const par *p, const tr_pair_bodies *b) {
-    double m_eff = isinf(b->m1) ? b->m2 : b->m1 * b->m2 / (b->m1 + b->m2);
-    return 2 * p->damping_ratio * sqrt(p->k_n * m_eff);
+    return 2 * p->damping_ratio * sqrt(p->k_n * tr_law_m_eff(b));
 }
 
 static void pair(const void *par_, const tr_pair_bodies *bodies, double *constants) {
@@ -52,8 +51,20 @@ static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *bodies) {
     return (tr_stiffness){.k = p->k_n, .c = dashpot(p, bodies)};
 }
 
+static tr_elastic elastic(const void *par_, double R1, double R2, double delta) {
+    const par *p = par_;
+    (void)R1, (void)R2;
+    return (tr_elastic){p->k_n * delta, p->k_n * delta * delta / 2, p->k_n};
+}
+
+static double overlap(const void *par_, double R1, double R2, double force) {
+    const par *p = par_;
+    (void)R1, (void)R2;
+    return force / p->k_n;
+}
+
 const tr_law tr_normal_linear = {
-    .table = {"linear", "linear spring and dashpot, no attraction", params, sizeof params / sizeof *params},
+    .table = {"linear", "linear spring and dashpot, no attraction", params, .n = sizeof params / sizeof *params},
     .source = "[Cundall1979]",
     .formula = "f_n = max(0, k_n delta + c v_n), c = 2 damping_ratio sqrt(k_n m_eff), m_eff = m1 m2/(m1 + m2)",
     .differs = "The force of the dashpot never pulls: a contact ends when f_n reaches 0, not when the overlap does.",
@@ -63,4 +74,6 @@ const tr_law tr_normal_linear = {
     .step = step,
     .state = state,
     .stiffness = stiffness,
+    .elastic = elastic,
+    .overlap = overlap,
 };

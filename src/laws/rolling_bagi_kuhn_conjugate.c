@@ -27,7 +27,7 @@ typedef struct par {
 
 static const tr_param params[] = {
     {"mu_r", TR_REAL, TR_DIM_NUMBER, "1", NULL, 0, 100, NULL, offsetof(par, mu_r), "coefficient of rolling resistance"},
-    {"k_r", TR_REAL, TR_DIM_STIFFNESS, "Pa", "k_t", 1e-3, 1e15, NULL, offsetof(par, k_r), "rolling stiffness"},
+    {"k_r", TR_REAL, TR_DIM_STIFFNESS, "Pa|N/m", "k_t", 1e-3, 1e15, NULL, offsetof(par, k_r), "rolling stiffness"},
 };
 
 /* (R1 - R2)/(2L) = (g1 - 1/2) R2/r2, also at a wall, where g1 = 1 and r2 = R2. */
@@ -78,7 +78,7 @@ static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *bodies) {
 
 const tr_law tr_rolling_bagi_kuhn_conjugate = {
     .table = {"bagi-kuhn-conjugate", "rolling spring on (s1 + s2)/2 with the force and moments conjugate to it", params,
-              sizeof params / sizeof *params},
+              .n = sizeof params / sizeof *params},
     .source = "[Wang2015 eqs. 16, 19a, 28] [Kuhn2014 eq. 5]",
     .formula = "T <- T + k_r V_r dt, clamped to |T| <= mu_r f_n, V_r = (s1 + s2)/2 whatever rolling_velocity is\n"
                "in all: moments -R1 T/2 on 1, +R2 T/2 on 2, force T (R2 - R1)/(2 |X21|) t on 2, the opposite on 1",

@@ -13,7 +13,7 @@
  * choice. The limiter's "angular momentum" is read as a moment, "the lesser of the two rotations" as the lesser of I
  * |w|. With the limiter the law is neither rate-independent nor objective, and a disk beside one at rest feels nothing.
  *
- * History: M1 [N] only so that a look with dt = 0 finds the moments of the step. I = m R^2/2 from the mass, also for a
+ * History: M1 [N] only so that a look with dt = 0 finds the moments of the step. The inertia is the mass's, also for a
  * disk whose motion is prescribed. w_rel -> 0: a stop without chatter. Wall: I1 infinite, R_eq = 2 R2 or R2. No energy
  * is stored.
  */
@@ -42,8 +42,8 @@ static const tr_param params[] = {
 /* 1/I of both [1/(kg m)]; 0 at a wall. */
 static void pair(const void *par_, const tr_pair_bodies *bodies, double *constants) {
     (void)par_;
-    constants[0] = bodies->R1 > 0 ? 2 / (bodies->m1 * bodies->R1 * bodies->R1) : 0;
-    constants[1] = 2 / (bodies->m2 * bodies->R2 * bodies->R2);
+    constants[0] = bodies->R1 > 0 ? 1 / bodies->I1 : 0;
+    constants[1] = 1 / bodies->I2;
 }
 
 TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict data) {
@@ -82,7 +82,7 @@ static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *bodies) {
 
 const tr_law tr_rolling_star_constant_torque = {
     .table = {"star-constant-torque", "moment mu_r R_eq f_n against the relative spin", params,
-              sizeof params / sizeof *params},
+              .n = sizeof params / sizeof *params, .demands = TR_NEEDS_TIME | TR_NEEDS_DENSITY},
     .source = "[STARCCM eq. 3276]",
     .formula =
         "M1 = -mu_r R_eq f_n w_rel/|w_rel|, M2 = -M1, w_rel = w1 - w2; at w_rel = 0 what stops it within the step\n"

@@ -15,7 +15,7 @@
  * reached after the clamp and is read as "at the bound". C lacks the square root in print. R_eq: see
  * rolling_star_constant_torque.c. The page gives no default for damping factor and multiplier; off, 0.3 and 1 are ours.
  *
- * History: M_k [N]. f_n -> 0: k_r = 0, nothing left. Wall: I_r = I2 + m2 R2^2 and R_eq = 2 R2 or R2. I = m R^2/2.
+ * History: M_k [N]. f_n -> 0: k_r = 0, nothing left. Wall: I_r = I2 + m2 R2^2 and R_eq = 2 R2 or R2.
  */
 #include "base/vector.h"
 #include "laws/law.h"
@@ -45,7 +45,7 @@ static const tr_param params[] = {
 
 /* I_r [kg m] about the contact point. */
 static double inertia(const tr_pair_bodies *b) {
-    double two = 1.5 * b->m2 * b->R2 * b->R2, one = 1.5 * b->m1 * b->R1 * b->R1;
+    double two = b->I2 + b->m2 * b->R2 * b->R2, one = b->I1 + b->m1 * b->R1 * b->R1;
     return b->R1 > 0 ? one * two / (one + two) : two;
 }
 
@@ -92,7 +92,7 @@ static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *bodies) {
 
 const tr_law tr_rolling_star_displacement_damping = {
     .table = {"star-displacement-damping", "torsional spring to mu_r R_eq f_n, stiffness following f_n, and dashpot",
-              params, sizeof params / sizeof *params},
+              params, .n = sizeof params / sizeof *params, .demands = TR_NEEDS_TIME | TR_NEEDS_DENSITY},
     .source = "[STARCCM eqs. 3277-3278]",
     .formula = "M_k <- M_k - k_r w_rel dt, |M_k| <= k_r theta_max, k_r = mu_r R_eq f_n/theta_max, w_rel = w1 - w2\n"
                "M_d = -damping_factor C w_rel (damping_multiplier times that at the bound), C = 2 sqrt(I_r k_r)\n"

@@ -13,7 +13,7 @@
  *
  * differs: eq. 3275 is printed without the minus.
  *
- * History: M1, M2 [N] only so that a look with dt = 0 finds the moments of the step. I = m R^2/2 from the mass, also
+ * History: M1, M2 [N] only so that a look with dt = 0 finds the moments of the step. The inertia is the mass's, also
  * for a disk whose motion is prescribed. w -> 0: a stop without chatter. Wall: no arm, no moment. No energy is stored.
  */
 #include "base/vector.h"
@@ -33,8 +33,8 @@ static const tr_param params[] = {
 /* Inertias [kg m]; the wall's is not used. */
 static void pair(const void *par_, const tr_pair_bodies *bodies, double *constants) {
     (void)par_;
-    constants[0] = bodies->R1 > 0 ? 0.5 * bodies->m1 * bodies->R1 * bodies->R1 : 0;
-    constants[1] = 0.5 * bodies->m2 * bodies->R2 * bodies->R2;
+    constants[0] = bodies->R1 > 0 ? bodies->I1 : 0;
+    constants[1] = bodies->I2;
 }
 
 TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict data) {
@@ -70,7 +70,7 @@ static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *bodies) {
 
 const tr_law tr_rolling_star_force_proportional = {
     .table = {"star-force-proportional", "moment mu_r f_n times the arm, against each body's own spin", params,
-              sizeof params / sizeof *params},
+              .n = sizeof params / sizeof *params, .demands = TR_NEEDS_TIME | TR_NEEDS_DENSITY},
     .source = "[STARCCM eq. 3275]",
     .formula = "M_p = -mu_r f_n |r_c| w_p/|w_p| on each body p, |r_c| its arm to the contact point\n"
                "at w_p = 0 what stops the spin within the step",

@@ -20,7 +20,7 @@ typedef struct par {
 
 static const tr_param params[] = {
     {"mu_r", TR_REAL, TR_DIM_NUMBER, "1", NULL, 0, 100, NULL, offsetof(par, mu_r), "coefficient of rolling resistance"},
-    {"k_r", TR_REAL, TR_DIM_STIFFNESS, "Pa", "k_t", 1e-3, 1e15, NULL, offsetof(par, k_r), "rolling stiffness"},
+    {"k_r", TR_REAL, TR_DIM_STIFFNESS, "Pa|N/m", "k_t", 1e-3, 1e15, NULL, offsetof(par, k_r), "rolling stiffness"},
 };
 
 TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict data) {
@@ -54,7 +54,8 @@ static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *bodies) {
 }
 
 const tr_law tr_rolling_wang_spring = {
-    .table = {"wang-spring", "rolling spring capped at mu_r f_n, lever R_eff", params, sizeof params / sizeof *params},
+    .table = {"wang-spring", "rolling spring capped at mu_r f_n, lever R_eff", params,
+              .n = sizeof params / sizeof *params},
     .source = "[Wang2015 eq. 28] [Luding2008]",
     .formula = "T <- T + k_r V_r dt, clamped to |T| <= mu_r f_n\n"
                "moments -R_eff T on 1, +R_eff T on 2; R_eff = R1 R2/(R1 + R2), R2 at a wall",

@@ -28,15 +28,21 @@ typedef struct unit {
 } unit;
 
 static const unit units[] = {
-    {"kg", 1, {1, 0, 0}},      {"g", 1e-3, {1, 0, 0}},         {"t", 1e3, {1, 0, 0}},     {"m", 1, {0, 1, 0}},
-    {"mm", 1e-3, {0, 1, 0}},   {"cm", 1e-2, {0, 1, 0}},        {"um", 1e-6, {0, 1, 0}},   {"km", 1e3, {0, 1, 0}},
-    {"s", 1, {0, 0, 1}},       {"ms", 1e-3, {0, 0, 1}},        {"us", 1e-6, {0, 0, 1}},   {"min", 60, {0, 0, 1}},
-    {"N", 1, {1, 1, -2}},      {"kN", 1e3, {1, 1, -2}},        {"MN", 1e6, {1, 1, -2}},   {"Pa", 1, {1, -1, -2}},
-    {"kPa", 1e3, {1, -1, -2}}, {"MPa", 1e6, {1, -1, -2}},      {"GPa", 1e9, {1, -1, -2}}, {"J", 1, {1, 2, -2}},
-    {"Hz", 1, {0, 0, -1}},     {"deg", M_PI / 180, {0, 0, 0}}, {"rad", 1, {0, 0, 0}},
+    {"kg", 1, {1, 0, 0, 0}},      {"g", 1e-3, {1, 0, 0, 0}},
+    {"t", 1e3, {1, 0, 0, 0}},     {"m", 1, {0, 1, 0, 0}},
+    {"mm", 1e-3, {0, 1, 0, 0}},   {"cm", 1e-2, {0, 1, 0, 0}},
+    {"um", 1e-6, {0, 1, 0, 0}},   {"km", 1e3, {0, 1, 0, 0}},
+    {"s", 1, {0, 0, 1, 0}},       {"ms", 1e-3, {0, 0, 1, 0}},
+    {"us", 1e-6, {0, 0, 1, 0}},   {"min", 60, {0, 0, 1, 0}},
+    {"N", 1, {1, 1, -2, 0}},      {"kN", 1e3, {1, 1, -2, 0}},
+    {"MN", 1e6, {1, 1, -2, 0}},   {"Pa", 1, {1, -1, -2, 0}},
+    {"kPa", 1e3, {1, -1, -2, 0}}, {"MPa", 1e6, {1, -1, -2, 0}},
+    {"GPa", 1e9, {1, -1, -2, 0}}, {"J", 1, {1, 2, -2, 0}},
+    {"Hz", 1, {0, 0, -1, 0}},     {"deg", M_PI / 180, {0, 0, 0, 0}},
+    {"rad", 1, {0, 0, 0, 0}},
 };
 
-static const char *const functions[] = {"sqrt", "sin", "cos", "tan", "atan"};
+static const char *const functions[] = {"sqrt", "exp", "sin", "cos", "tan", "atan"};
 
 typedef struct operand {
     tr_quantity quantity;
@@ -139,7 +145,7 @@ static bool translate_name(translation *t, const char *text, size_t at, size_t n
     bool call = text[behind] == '(';
     *open = is_function(name);
     if (*open && !call) return fail(problem, at, "a function needs its argument in parentheses, as in sqrt(2)");
-    if (!*open && call) return fail(problem, at, "not a function; allowed are sqrt sin cos tan atan");
+    if (!*open && call) return fail(problem, at, "not a function; allowed are sqrt exp sin cos tan atan");
     if (*open) return emit(t, name), true;
     tr_quantity quantity = {M_PI, TR_DIM_NUMBER};
     if (strcmp(name, "pi") != 0) {
@@ -223,7 +229,7 @@ static bool describe(tr_problem *problem, const double power[3]) {
 }
 
 static bool check_dimension(tr_expression *e, const translation *t, tr_dim dim, tr_problem *problem) {
-    const tr_dim scale[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const tr_dim scale[3] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
     double base = evaluate(e, t, (tr_dim)TR_DIM_NUMBER, true), power[3];
     if (base == 0) return true; /* 1 mm - 1 mm */
     for (int i = 0; i < 3; i++) power[i] = log2(evaluate(e, t, scale[i], true) / base) / 2;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A value of a case file: text such as `0.76 mm`, `160 kPa` or `0.5*k_n` to a double in SI, with its dimension checked.
  *
- * Numbers, names, + - * / ^, parentheses, pi, and sqrt sin cos tan atan of one argument. A number directly followed by
+ * Numbers, names, + - * / ^, parentheses, pi, and sqrt exp sin cos tan atan of one argument. A number directly followed by
  * a name is their product, and binds no tighter than `*`: `160 kN/m^2` is 160*kN/m^2, `2 mm^2` is 2*(mm^2), `1/2 mm` is
  * (1/2)*mm = 0.5 mm. Text that names no unit and no key is a plain number, and is in SI whatever the dimension. */
 #ifndef TR_EXPRESSION_H

@@ -37,8 +37,8 @@ static tr_scope *open_scope(reader *c, const char *section, int item, const tr_n
 }
 
 /* Rows whose values live in *base; base NULL: of a law that is not chosen. Laws may share a key: then they share its
- * text and the default of the first, and a law that is not chosen has no say. What has no default, but a namesake at
- * the root, is by default as that. */
+ * text and the default of the first, and a law that is not chosen has no say. What has a namesake at the root is by
+ * default as that. */
 static void add_rows(reader *c, tr_scope *s, const tr_param *params, int n, void *base, const char *law) {
     for (int i = 0; i < n; i++) {
         const tr_entry *first = tr_resolve_entry(s, params[i].key);
@@ -47,8 +47,8 @@ static void add_rows(reader *c, tr_scope *s, const tr_param *params, int n, void
         c->n_entries++;
         *e = (tr_entry){.param = &params[i], .scope = s, .law = base ? NULL : law};
         e->fallback = first ? first->fallback : params[i].fallback;
-        if (!e->fallback && s != c->r.scopes && tr_resolve_entry(c->r.scopes, params[i].key))
-            e->fallback = params[i].key;
+        const tr_entry *root = s != c->r.scopes ? tr_resolve_entry(c->r.scopes, params[i].key) : NULL;
+        if (root && !(root->derived && s->item < 0)) e->fallback = params[i].key;
         e->node = tr_tree_find(s->node, params[i].key);
         e->value = base ? (char *)base + params[i].offset : (char *)&e->scratch;
     }
@@ -128,9 +128,11 @@ static bool unknown_key(reader *c, const tr_scope *s, const tr_node *child) {
 static bool check_keys(reader *c, const tr_scope *s) {
     for (const tr_node *child = s->node ? s->node->child : NULL; child; child = child->next) {
         const tr_entry *e = tr_resolve_entry(s, child->key);
+        char buffer[TR_BY_SHAPE];
         if (e && e->derived)
             return tr_text_fail(c->st, child->key_mark, "`%s` follows from other keys, %s, and cannot be given",
-                                tr_resolve_name(s, child->key).text, e->fallback);
+                                tr_resolve_name(s, child->key).text,
+                                tr_param_by_shape(e->fallback, c->r.shape, buffer));
         bool known = e;
         for (int i = 0; i < tr_n_sections && !known && !*s->section; i++)
             known = (tr_sections[i].kinds & c->kind) && strcmp(tr_sections[i].key, child->key) == 0;
@@ -147,6 +149,14 @@ static bool check_type(reader *c, const tr_node *node, tr_node_type type, const 
                         type == TR_NODE_LIST ? "list, one `- key: value` for each" : "mapping of keys and values");
 }
 
+/* Units and defaults depend on the shape, so it is found as soon as its scope is there. */
+static bool find_shape(reader *c, const tr_scope *s) {
+    tr_entry *e = tr_resolve_entry(s, "shape");
+    if (e && !tr_resolve(&c->r, e, NULL)) return false;
+    c->r.shape = c->scene->shape;
+    return true;
+}
+
 /* One mapping section: t and its neighbours of the same key. */
 static bool read_mapping(reader *c, const tr_section *t) {
     const tr_node *node = tr_tree_find(c->root, t->key);
@@ -158,7 +168,7 @@ static bool read_mapping(reader *c, const tr_section *t) {
         if (u->kinds & c->kind) add_rows(c, s, u->params, u->n, field(c->scene, u->offset), NULL);
     }
     if (t->first_slot && !add_laws(c, s, field(c->scene, t->offset), t->first_slot)) return false;
-    return check_keys(c, s);
+    return find_shape(c, s) && check_keys(c, s);
 }
 
 static bool read_list(reader *c, const tr_section *t) {
@@ -220,10 +230,19 @@ static bool read_root(reader *c) {
         if (t == tr_sections && !tr_resolve(&c->r, tr_resolve_entry(s, "kind"), NULL)) return false;
         c->kind = 1u << c->scene->kind;
     }
-    return check_keys(c, s);
+    return find_shape(c, s) && check_keys(c, s);
+}
+
+static const tr_scope *scope_of(const reader *c, const char *section, int item) {
+    for (int i = 0; i < c->r.n_scopes; i++)
+        if (c->r.scopes[i].item == item && strcmp(c->r.scopes[i].section, section) == 0) return &c->r.scopes[i];
+    return NULL;
 }
 
 static bool resolve_all(reader *c) {
+    const tr_scope *bodies = scope_of(c, "bodies", -1);
+    if (bodies && tr_tree_find(bodies->node, "Lambda"))
+        tr_resolve_entry(c->r.scopes, "depth")->fallback = tr_tables_depth_from_Lambda;
     for (int i = 0; i < c->n_entries; i++) {
         tr_entry *e = &c->entries[i];
         bool on_demand = e->value == &e->scratch && !e->node;
@@ -232,11 +251,79 @@ static bool resolve_all(reader *c) {
     return true;
 }
 
+/* A law is for its shape, and not every choice of its parameters is for assemblies. */
+static bool check_law(reader *c, const tr_scope *s, const char *slot, const tr_param_table *law) {
+    const tr_entry *e = tr_resolve_entry(s, slot);
+    tr_mark mark = e->node ? e->node->mark : s->mark;
+    unsigned wrong = c->scene->shape == TR_SHAPE_SPHERE ? TR_ONLY_DISKS : TR_ONLY_SPHERES;
+    if (law->demands & wrong)
+        return tr_text_fail(c->st, mark, "the law %s is for %s, and `shape` is %s", law->name,
+                            wrong == TR_ONLY_DISKS ? "disks" : "spheres", wrong == TR_ONLY_DISKS ? "sphere" : "disk");
+    for (int i = 0; i < law->n && law->driver_choice && c->scene->kind != TR_KIND_CONTACT; i++) {
+        const tr_param *p = &law->params[i];
+        const tr_entry *choice = p->type == TR_CHOICE ? tr_resolve_entry(s, p->key) : NULL;
+        if (choice && choice->node && strcmp(choice->node->text, law->driver_choice) == 0)
+            return tr_text_fail(c->st, choice->node->mark, "`%s: %s` of the law %s is for `kind: contact` only", p->key,
+                                law->driver_choice, law->name);
+    }
+    return true;
+}
+
+/* The approach of a line contact counts from a depth d: no contact is as wide. At a = d the overlap is (1 + ln 4)/4 d^2/R.
+ */
+static bool check_depth(reader *c, const tr_scope *s) {
+    const tr_entry *depth = tr_resolve_entry(s, "depth"), *E_star = tr_resolve_entry(s, "E_star");
+    if (!depth || depth->law) return true; /* its law is not chosen */
+    double d = *(double *)depth->value, R = c->scene->pair.R_star, E = *(double *)E_star->value;
+    for (int i = 0; i < c->scene->n_segments; i++) {
+        const tr_scene_segment *g = &c->scene->path[i];
+        double a = sqrt(4 * g->force * R / (M_PI * E));
+        bool by_force = !isnan(g->force), deep = by_force ? a < d : g->overlap < (0.25 + M_LN2 / 2) * d * d / R;
+        if (!deep)
+            return tr_text_fail(
+                c->st, tr_resolve_entry(scope_of(c, "path", i), by_force ? "force" : "overlap")->node->mark,
+                "this presses the contact of `laws.%d` as wide as its depth, %.3g m; give a smaller %s or "
+                "a larger `bodies.depth`",
+                s->item, d, by_force ? "force" : "overlap");
+    }
+    return true;
+}
+
+/* What a law must know of a prescribed path. */
+static bool check_demands(reader *c, const tr_scope *s, const char *slot, const tr_param_table *law) {
+    const tr_scene *scene = c->scene;
+    if (law->demands & TR_NEEDS_DENSITY && scene->pair.density == 0)
+        return tr_text_fail(c->st, scope_of(c, "bodies", -1)->mark,
+                            "`bodies.density` is missing: %s law %s of `%s.%d` depends on the inertia of the bodies",
+                            slot, law->name, s->section, s->item);
+    for (int i = 0; i < scene->n_segments; i++) {
+        const tr_scope *segment = scope_of(c, "path", i);
+        if (law->demands & TR_NEEDS_TIME && scene->path[i].time == 0)
+            return tr_text_fail(c->st, segment->mark,
+                                "`path.%d.time` is missing: %s law %s of `%s.%d` depends on the rate", i, slot,
+                                law->name, s->section, s->item);
+    }
+    return true;
+}
+
+static bool check_laws(reader *c, const tr_scope *s, const void *base) {
+    for (int k = 0; k < TR_SLOTS; k++) {
+        tr_law_place slot = tr_tables_slot(c->r.catalog, k);
+        const tr_scene_law *law = (const void *)((const char *)base + slot.offset);
+        const tr_param_table *table = slot.laws[law->law];
+        if (!check_law(c, s, slot.key, table)) return false;
+        if (c->scene->kind == TR_KIND_CONTACT && !check_demands(c, s, slot.key, table)) return false;
+    }
+    return c->scene->kind != TR_KIND_CONTACT || check_depth(c, s);
+}
+
 /* What no single row can say. */
 static bool check_together(reader *c) {
     for (int i = 0; i < c->r.n_scopes; i++) {
         const tr_scope *s = &c->r.scopes[i];
         const tr_scene_sample *sample = &c->scene->sample;
+        if (strcmp(s->section, "contact") == 0 && !check_laws(c, s, &c->scene->contact)) return false;
+        if (strcmp(s->section, "laws") == 0 && !check_laws(c, s, &c->scene->laws[s->item])) return false;
         if (strcmp(s->section, "sample") == 0 && sample->r_min > sample->r_max)
             return tr_text_fail(c->st, tr_resolve_entry(s, "r_min")->node->key_mark,
                                 "`sample.r_min` is %.9g m, more than `sample.r_max`, which is %.9g m", sample->r_min,

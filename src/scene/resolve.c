@@ -110,8 +110,13 @@ static tr_found find(void *context, const char *name, tr_quantity *quantity, tr_
         return TR_FAILED;
     }
     if (!tr_resolve(q->resolver, e, q->asker)) return TR_FAILED;
+    if (e->param->type == TR_REAL && isnan(*(double *)e->value)) {
+        snprintf(problem->text, sizeof problem->text, "`%s` is not known: `%s` is given in its place",
+                 tr_resolve_name(e->scope, e->param->key).text, e->param->choices);
+        return TR_FAILED;
+    }
     if (e->param->type == TR_REAL)
-        *quantity = (tr_quantity){*(double *)e->value, e->param->dim};
+        *quantity = (tr_quantity){*(double *)e->value, tr_dim_of(e->param->dim, q->resolver->shape)};
     else
         *quantity = (tr_quantity){*(int *)e->value, TR_DIM_NUMBER};
     return TR_FOUND;
@@ -120,12 +125,14 @@ static tr_found find(void *context, const char *name, tr_quantity *quantity, tr_
 /* TR_REAL and TR_COUNT: text to a number within the bounds of the row. */
 static bool read_number(tr_resolver *r, tr_entry *e, const char *text, double *value) {
     const tr_param *p = e->param;
-    const char *key = p->key, *unit = p->type == TR_REAL && strcmp(p->unit, "1") != 0 ? p->unit : "";
+    char buffer[TR_BY_SHAPE];
+    const char *key = p->key, *unit = "";
+    if (p->type == TR_REAL && strcmp(p->unit, "1") != 0) unit = tr_param_by_shape(p->unit, r->shape, buffer);
     request q = {r, e};
     tr_problem problem;
     const tr_dim number = TR_DIM_NUMBER;
-    if (!tr_expression_value(r->expression, text, p->type == TR_REAL ? p->dim : number, &(tr_names){find, &q}, value,
-                             &problem))
+    if (!tr_expression_value(r->expression, text, p->type == TR_REAL ? tr_dim_of(p->dim, r->shape) : number,
+                             &(tr_names){find, &q}, value, &problem))
         return fail(r, e, problem.at, "%s (`%s` is %s%s)", problem.text, key, *unit ? "in " : "a number", unit);
     if (p->type == TR_COUNT && *value != floor(*value))
         return fail(r, e, 0, "`%s` must be a whole number, %g to %g", key, p->min, p->max);
@@ -203,10 +210,23 @@ bool tr_resolve(tr_resolver *r, tr_entry *e, tr_entry *asker) {
     if (e->state == TR_ENTRY_BUSY) return cycle(r, e, asker);
     const tr_param *p = e->param;
     tr_shown name = tr_resolve_name(e->scope, p->key);
-    if (!e->node && !e->fallback)
+    const char *instead = p->type == TR_REAL ? p->choices : NULL;
+    const tr_entry *other = instead ? tr_resolve_entry(e->scope, instead) : NULL;
+    if (other && e->node && other->node)
+        return tr_text_fail(r->st, e->node->mark, "`%s` and `%s` say the same: give one of them", p->key, instead);
+    if (other && !e->node && (other->node || (!e->fallback && other->fallback))) {
+        *(double *)e->value = NAN;
+        e->state = TR_ENTRY_DONE;
+        return true;
+    }
+    if (e->fallback) e->fallback = tr_param_by_shape(e->fallback, r->shape, e->by_shape);
+    if (!e->node && !e->fallback) {
+        char buffer[TR_BY_SHAPE];
         return tr_text_fail(r->st, e->scope->mark,
-                            p->type == TR_REAL ? "`%s` is missing: %s [%s]" : "`%s` is missing: %s", name.text, p->doc,
-                            p->unit);
+                            p->type == TR_REAL ? "`%s` is missing: %s [%s]%s%s" : "`%s` is missing: %s", name.text,
+                            p->doc, tr_param_by_shape(p->unit, r->shape, buffer), other ? "; or give " : "",
+                            other ? instead : "");
+    }
     if (e->node && e->node->type != TR_NODE_VALUE)
         return tr_text_fail(r->st, e->node->mark, "`%s` must be a single value: %s", name.text, p->doc);
     const char *text = e->node ? e->node->text : e->fallback;

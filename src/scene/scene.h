@@ -76,15 +76,18 @@ typedef struct tr_scene_wall {
 
 /* Two bodies in contact, of one material. */
 typedef struct tr_scene_pair {
-    int shape;             /* 0 disk */
     double R1, R2, E, nu;  /* [m m Pa 1] */
     double density;        /* [kg/m^3]; 0: not given, for few laws need it */
+    double depth, Lambda;  /* [m 1]; one of them is NaN: not given */
+    double d;              /* of the line contact, however given [m] */
     double E_star, R_star; /* contact modulus [Pa] and 1/(1/R1 + 1/R2) [m]: they follow from the others */
 } tr_scene_pair;
 
-/* A stretch of the path of a contact: roll and slide at constant rates, force linear in time from where it was. */
+/* A stretch of the path of a contact: roll and slide at constant rates, force or overlap linear in time from where it
+ * was. */
 typedef struct tr_scene_segment {
-    double force;       /* normal force at the end [N/m]; the first segment starts at its own */
+    double force;       /* normal force at the end [N/m]; the first segment starts at its own. NaN: not given, then */
+    double overlap;     /* overlap at the end [m]; NaN: not given */
     double slide, roll; /* over the segment [m]: int Vs dt, -int (s1 + s2)/2 dt */
     double time;        /* that it takes [s]; 0: not given, for most laws do not care */
     int steps;
@@ -92,6 +95,7 @@ typedef struct tr_scene_segment {
 
 typedef struct tr_scene {
     tr_kind kind;
+    tr_shape shape; /* of all bodies; with spheres forces are in N, masses in kg, stresses and stiffnesses in N/m */
     uint64_t seed;
     tr_scene_contact contact;
     tr_scene_step step;
@@ -110,7 +114,7 @@ typedef struct tr_scene {
     int n_disks, n_walls;
     /* kind: contact */
     tr_scene_pair pair;
-    tr_scene_contact *laws; /* owned by the scene; each runs along the path by itself, its normal law is unused */
+    tr_scene_contact *laws; /* owned by the scene; each runs along the path by itself */
     tr_scene_segment *path; /* owned by the scene */
     int n_laws, n_segments;
 } tr_scene;

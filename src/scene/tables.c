@@ -9,6 +9,13 @@
 #define AT(field) offsetof(STRUCT, field)
 
 #define STRUCT tr_scene
+#define SHAPE                                                                                                          \
+    {                                                                                                                  \
+        "shape", TR_CHOICE, TR_DIM_NUMBER, "", "disk", 0, 0, "disk|sphere", AT(shape),                                 \
+            "disk: a cylinder per metre of length; sphere: moves in the plane"                                         \
+    }
+static const tr_param root_worlds[] = {SHAPE};
+static const tr_param bodies_shape[] = {SHAPE};
 static const tr_param root[] = {
     {"kind", TR_CHOICE, TR_DIM_NUMBER, "", NULL, 0, 0, "biaxial|bodies|contact", AT(kind),
      "what is simulated: a biaxial test, a few bodies, or one contact along a path"},
@@ -21,11 +28,15 @@ static const tr_param root_bodies[] = {
     {"time_end", TR_REAL, TR_DIM_TIME, "s", NULL, 1e-12, 1e6, NULL, AT(time_end), "time that the run covers"},
 };
 static const tr_param root_contact[] = {
-    {"E_star", TR_REAL, TR_DIM_STIFFNESS, "Pa", "bodies.E/(2*(1 - bodies.nu^2))", 1e-4, 1e18, NULL, AT(pair.E_star),
+    {"E_star", TR_REAL, TR_DIM_MODULUS, "Pa", "bodies.E/(2*(1 - bodies.nu^2))", 1e-4, 1e18, NULL, AT(pair.E_star),
      "contact modulus, 1/E_star = sum of (1 - nu^2)/E of the two"},
     {"R_star", TR_REAL, TR_DIM_LENGTH, "m", "bodies.R1*bodies.R2/(bodies.R1 + bodies.R2)", 1e-10, 1e3, NULL,
      AT(pair.R_star), "1/R_star = 1/R1 + 1/R2"},
+    {"nu", TR_REAL, TR_DIM_NUMBER, "1", "bodies.nu", -0.999, 0.5, NULL, AT(pair.nu), "Poisson's ratio of both"},
+    {"depth", TR_REAL, TR_DIM_LENGTH, "m", "bodies.depth", 1e-12, 1e6, NULL, AT(pair.d),
+     "d of the line contact, whose approach is (2P/(pi E_star)) (ln(2d/a) + 1/2)"},
 };
+const char tr_tables_depth_from_Lambda[] = "path.0.a*exp(bodies.Lambda)/2";
 #undef STRUCT
 
 #define STRUCT tr_scene_sample
@@ -52,7 +63,7 @@ static const tr_param contact[] = {
 
 #define STRUCT tr_scene_compaction
 static const tr_param compaction[] = {
-    {"pressure", TR_REAL, TR_DIM_PRESSURE, "Pa", NULL, 1e-3, 1e12, NULL, AT(pressure), "pressure on all four walls"},
+    {"pressure", TR_REAL, TR_DIM_STRESS, "Pa|N/m", NULL, 1e-3, 1e12, NULL, AT(pressure), "pressure on all four walls"},
     {"mu", TR_REAL, TR_DIM_NUMBER, "1", "0", 0, 10, NULL, AT(mu),
      "friction coefficient while compacting; 0 packs densest"},
     {"inertial_number", TR_REAL, TR_DIM_NUMBER, "1", "1e-2", 1e-9, 1, NULL, AT(inertial_number),
@@ -64,8 +75,8 @@ static const tr_param compaction[] = {
 
 #define STRUCT tr_scene_shear
 static const tr_param shear[] = {
-    {"lateral_pressure", TR_REAL, TR_DIM_PRESSURE, "Pa", "compaction.pressure", 1e-3, 1e12, NULL, AT(lateral_pressure),
-     "pressure on the two lateral walls"},
+    {"lateral_pressure", TR_REAL, TR_DIM_STRESS, "Pa|N/m", "compaction.pressure", 1e-3, 1e12, NULL,
+     AT(lateral_pressure), "pressure on the two lateral walls"},
     {"inertial_number", TR_REAL, TR_DIM_NUMBER, "1", "1e-3", 1e-9, 1, NULL, AT(inertial_number),
      "I = strain rate sqrt(mean disk mass / lateral_pressure); below 1e-3 quasi-static"},
     {"strain_end", TR_REAL, TR_DIM_NUMBER, "1", "0.20", 1e-9, 0.5, NULL, AT(strain_end),
@@ -134,19 +145,23 @@ static const tr_param wall[] = {
 
 #define STRUCT tr_scene_pair
 static const tr_param pair[] = {
-    {"shape", TR_CHOICE, TR_DIM_NUMBER, "", "disk", 0, 0, "disk", AT(shape),
-     "a disk is a cylinder per metre of length"},
     {"R1", TR_REAL, TR_DIM_LENGTH, "m", NULL, 1e-9, 1e3, NULL, AT(R1), "radius of body 1"},
     {"R2", TR_REAL, TR_DIM_LENGTH, "m", NULL, 1e-9, 1e3, NULL, AT(R2), "radius of body 2"},
-    {"E", TR_REAL, TR_DIM_STIFFNESS, "Pa", NULL, 1e-3, 1e15, NULL, AT(E), "Young's modulus of both"},
+    {"E", TR_REAL, TR_DIM_MODULUS, "Pa", NULL, 1e-3, 1e15, NULL, AT(E), "Young's modulus of both"},
     {"nu", TR_REAL, TR_DIM_NUMBER, "1", NULL, -0.999, 0.5, NULL, AT(nu), "Poisson's ratio of both"},
     {"density", TR_REAL, TR_DIM_DENSITY, "kg/m^3", "0", 0, 1e6, NULL, AT(density),
      "density of both, for laws that know inertia; 0: not given"},
+    {"depth", TR_REAL, TR_DIM_LENGTH, "m", "2*sqrt(R1*R2)/exp(1)", 1e-12, 1e6, "Lambda", AT(depth),
+     "d of the line contact; by default that of two disks pressed between plates [Johnson1985]"},
+    {"Lambda", TR_REAL, TR_DIM_NUMBER, "1", NULL, 1e-3, 100, "depth", AT(Lambda),
+     "ln(2d/a) at the force of the first segment: another way to give the depth"},
 };
 #undef STRUCT
 
 #define STRUCT tr_scene_contact
 static const tr_param laws[] = {
+    {"normal", TR_CHOICE, TR_DIM_NUMBER, "", "hertz-line|hertz-sphere", 0, 0, NULL, AT(normal.law),
+     "law of the normal force, here the curve that links force and overlap"},
     {"friction", TR_CHOICE, TR_DIM_NUMBER, "", "none", 0, 0, NULL, AT(friction.law), "law of the friction force"},
     {"rolling", TR_CHOICE, TR_DIM_NUMBER, "", "none", 0, 0, NULL, AT(rolling.law), "law of the rolling resistance"},
     {"rolling_velocity", TR_CHOICE, TR_DIM_NUMBER, "", "wang", 0, 0, NULL, AT(rolling_velocity),
@@ -156,8 +171,10 @@ static const tr_param laws[] = {
 
 #define STRUCT tr_scene_segment
 static const tr_param path[] = {
-    {"force", TR_REAL, TR_DIM_LINE_FORCE, "N/m", NULL, 0, 1e12, NULL, AT(force),
+    {"force", TR_REAL, TR_DIM_FORCE, "N/m|N", NULL, 0, 1e12, "overlap", AT(force),
      "normal force at the end, linear up to there; the first segment starts at its own"},
+    {"overlap", TR_REAL, TR_DIM_LENGTH, "m", NULL, -1e3, 1e3, "force", AT(overlap),
+     "overlap at the end, in place of the force; 0 or less: the contact opens"},
     {"slide", TR_REAL, TR_DIM_LENGTH, "m", "0", -1e3, 1e3, NULL, AT(slide), "int Vs dt over the segment"},
     {"roll", TR_REAL, TR_DIM_LENGTH, "m", "0", -1e3, 1e3, NULL, AT(roll), "-int (s1 + s2)/2 dt over the segment"},
     {"steps", TR_COUNT, TR_DIM_NUMBER, "", "100", 1, 1e6, NULL, AT(steps), "steps of the laws"},
@@ -167,9 +184,9 @@ static const tr_param path[] = {
 
 /* At the start of a segment. */
 static const tr_param path_start[] = {
-    {"P", TR_REAL, TR_DIM_LINE_FORCE, "N/m", "previous.force", 0, 1e12, NULL, 0, "normal force"},
-    {"a", TR_REAL, TR_DIM_LENGTH, "m", "sqrt(4*P*R_star/(pi*E_star))", 1e-15, 1e6, NULL, 0,
-     "half-width of the contact"},
+    {"P", TR_REAL, TR_DIM_FORCE, "N/m|N", "previous.force", 0, 1e12, NULL, 0, "normal force"},
+    {"a", TR_REAL, TR_DIM_LENGTH, "m", "sqrt(4*P*R_star/(pi*E_star))|(3*P*R_star/(4*E_star))^(1/3)", 1e-15, 1e6, NULL,
+     0, "half-width of the contact of disks, radius of that of spheres"},
 };
 
 #define STRUCT tr_scene
@@ -180,6 +197,7 @@ static const tr_param path_start[] = {
     .max_items = most
 const tr_section tr_sections[] = {
     SECTION("", "", TR_FOR_ALL, root, .offset = 0),
+    SECTION("", "", TR_FOR_WORLDS, root_worlds, .offset = 0),
     SECTION("", "", TR_FOR_BIAXIAL, root_biaxial, .offset = 0),
     SECTION("", "", TR_FOR_BODIES, root_bodies, .offset = 0),
     SECTION("", "", TR_FOR_CONTACT, root_contact, .offset = 0, .derived = true),
@@ -195,9 +213,10 @@ const tr_section tr_sections[] = {
     SECTION("output", "", TR_FOR_BIAXIAL, output_biaxial, .offset = AT(output)),
     SECTION("disks", "", TR_FOR_BODIES, disk, LIST(disks, n_disks, 1, 1000)),
     SECTION("walls", "rigid planes", TR_FOR_BODIES, wall, LIST(walls, n_walls, 0, 100)),
-    SECTION("bodies", "the two in contact, of one material", TR_FOR_CONTACT, pair, .offset = AT(pair)),
+    SECTION("bodies", "the two in contact, of one material", TR_FOR_CONTACT, bodies_shape, .offset = 0),
+    SECTION("bodies", "", TR_FOR_CONTACT, pair, .offset = AT(pair)),
     SECTION("laws", "each runs along the path by itself", TR_FOR_CONTACT, laws, LIST(laws, n_laws, 1, TR_MAX_LAWS),
-            .first_slot = 2),
+            .first_slot = 1),
     SECTION("path", "of the contact; the line of centres stands still", TR_FOR_CONTACT, path,
             LIST(path, n_segments, 1, 1000)),
     SECTION("path", "", TR_FOR_CONTACT, path_start, LIST(path, n_segments, 1, 1000), .derived = true),

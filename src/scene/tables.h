@@ -35,6 +35,9 @@ typedef struct tr_section {
 extern const tr_section tr_sections[];
 extern const int tr_n_sections;
 
+/* Default of the root's `depth` where `bodies.Lambda` is given. */
+extern const char tr_tables_depth_from_Lambda[];
+
 /* The places for laws: normal, friction, rolling. A slot's key stands in `contact`, or in an item of `laws`, and the
  * parameters of its law stand beside it. */
 typedef struct tr_law_place {

@@ -4,6 +4,7 @@
 #include "base/alloc.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,10 +23,11 @@ static void write_real(char *text, size_t size, double value) {
     }
 }
 
-/* One key; lead is what stands before it. */
-static void write_key(const writer *w, const tr_param *p, const void *base, const char *lead, bool comment) {
+/* One key; lead is what stands before it. False: it is not given, another stands in its place. */
+static bool write_key(const writer *w, const tr_param *p, const void *base, const char *lead, bool comment) {
     const void *value = (const char *)base + p->offset;
-    char text[64] = "", line[160];
+    char text[64] = "", line[160], unit[TR_BY_SHAPE];
+    if (p->type == TR_REAL && p->choices && isnan(*(const double *)value)) return false;
     switch (p->type) {
     case TR_REAL:
         write_real(text, sizeof text, *(const double *)value);
@@ -49,9 +51,10 @@ static void write_key(const writer *w, const tr_param *p, const void *base, cons
     if (!comment)
         fprintf(w->out, "%s\n", line);
     else if (p->type == TR_REAL)
-        fprintf(w->out, "%-42s # %s [%s]\n", line, p->doc, p->unit);
+        fprintf(w->out, "%-42s # %s [%s]\n", line, p->doc, tr_param_by_shape(p->unit, w->scene->shape, unit));
     else
         fprintf(w->out, "%-42s # %s\n", line, p->doc);
+    return true;
 }
 
 static const tr_scene_law *law_at(const void *base, const tr_law_place *slot) {
@@ -83,7 +86,9 @@ static void write_list(const writer *w, const tr_section *t) {
     int n = *(const int *)(const void *)((const char *)w->scene + t->count);
     for (int i = 0; i < n; i++) {
         const char *item = items + (size_t)i * t->item;
-        for (int k = 0; k < t->n; k++) write_key(w, &t->params[k], item, k == 0 ? "  - " : "    ", i == 0);
+        const char *lead = "  - ";
+        for (int k = 0; k < t->n; k++)
+            if (write_key(w, &t->params[k], item, lead, i == 0)) lead = "    ";
         if (t->first_slot) write_laws(w, item, t->first_slot, "    ");
     }
 }

@@ -7,91 +7,92 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A law and its tile of one contact. */
+/* The laws of one item and their tile of one contact. */
 typedef struct line {
     tr_tile tile;
-    const tr_law *friction, *rolling;
+    const tr_law *normal, *friction, *rolling;
+    const void *normal_par;
     tr_pass_run *rolling_velocity; /* NULL: not needed */
     tr_law_data friction_data, rolling_data;
     double hist[2][TR_MAX_HIST], pair[2][TR_MAX_PAIR];
+    double *hist_at[2][TR_MAX_HIST], *pair_at[2][TR_MAX_PAIR];
     double R1, R2, g1;
+    double P, delta;             /* now */
+    double P_start, delta_start; /* at the start of the segment */
 } line;
 
 struct tr_contact {
     const tr_scene *scene;
-    int64_t step;                            /* taken so far */
-    int segment, k;                          /* step k of this segment comes next, from 1 */
-    double P_start, slide_start, roll_start; /* at the start of the segment */
-    line *lines;                             /* one for each law */
+    int64_t step;                   /* taken so far */
+    int segment, k;                 /* step k of this segment comes next, from 1 */
+    double slide_start, roll_start; /* at the start of the segment */
+    line *lines;                    /* one for each item of laws */
 };
 
-/* A law that knows the inertia of the bodies compares a moment with what stops them within a step. */
-static bool needs_density(const tr_law *law) {
-    return law->pair != NULL;
+static void bind(line *l, int which, const tr_law *law, const tr_scene_law *chosen, const tr_pair_bodies *bodies,
+                 tr_shape shape, tr_law_data *data) {
+    for (int k = 0; k < TR_MAX_HIST; k++) l->hist_at[which][k] = &l->hist[which][k];
+    for (int k = 0; k < TR_MAX_PAIR; k++) l->pair_at[which][k] = &l->pair[which][k];
+    if (law->pair) law->pair(chosen->par, bodies, l->pair[which]);
+    *data = (tr_law_data){.par = chosen->par,
+                          .hist = l->hist_at[which],
+                          .pair = l->pair_at[which],
+                          .normal = l->normal,
+                          .normal_par = l->normal_par,
+                          .shape = shape};
 }
 
-static bool needs_time(const tr_law *law) {
-    return !(law->claims & TR_RATE_INDEPENDENT) || needs_density(law);
-}
-
-static bool check_law(const tr_scene *scene, int number, const char *slot, const tr_law *law, tr_status *st) {
-    const char *name = law->table.name;
-    if (needs_density(law) && scene->pair.density == 0)
-        return tr_status_fail(st, TR_BAD_CASE,
-                              "error: `laws.%d`: %s: %s depends on the inertia of the bodies: give `bodies.density`",
-                              number, slot, name);
-    for (int i = 0; i < scene->n_segments && needs_time(law); i++)
-        if (scene->path[i].time == 0)
-            return tr_status_fail(st, TR_BAD_CASE,
-                                  "error: `laws.%d`: %s: %s depends on the rate: give `path.%d.time`, how long the "
-                                  "segment takes",
-                                  number, slot, name, i);
-    return true;
-}
-
-bool tr_contact_check(const tr_scene *scene, tr_status *st) {
-    for (int i = 0; i < scene->n_laws; i++) {
-        const tr_scene_contact *c = &scene->laws[i];
-        if (!check_law(scene, i, "friction", tr_laws_friction[c->friction.law], st) ||
-            !check_law(scene, i, "rolling", tr_laws_rolling[c->rolling.law], st))
-            return false;
-    }
-    return true;
-}
-
-/* What a law sees: its parameters from the scene, history and pair constants from the line. */
-static tr_law_data bind(const tr_law *law, const tr_scene_law *chosen, const tr_pair_bodies *bodies, double *hist,
-                        double *pair) {
-    tr_law_data data = {.par = chosen->par};
-    for (int k = 0; k < law->n_hist; k++) data.hist[k] = hist + k;
-    for (int k = 0; k < law->n_pair; k++) data.pair[k] = pair + k;
-    if (law->pair) law->pair(chosen->par, bodies, pair);
-    return data;
-}
-
-static void set_line(line *l, const tr_scene_contact *laws, const tr_scene_pair *pair) {
-    double m = pair->density * M_PI; /* unused where density is 0: see tr_contact_check */
+static void set_line(line *l, const tr_scene_contact *laws, const tr_scene *scene) {
+    const tr_scene_pair *pair = &scene->pair;
+    bool sphere = scene->shape == TR_SHAPE_SPHERE;
+    double R1 = pair->R1, R2 = pair->R2, of_mass = sphere ? 0.4 : 0.5;
+    /* density 0, not given: no law that is here asks for the inertia */
+    double m1 = pair->density * M_PI * R1 * R1 * (sphere ? 4 * R1 / 3 : 1);
+    double m2 = pair->density * M_PI * R2 * R2 * (sphere ? 4 * R2 / 3 : 1);
     tr_pair_bodies bodies = {
-        .R1 = pair->R1, .R2 = pair->R2, .m1 = m * pair->R1 * pair->R1, .m2 = m * pair->R2 * pair->R2};
-    l->R1 = pair->R1, l->R2 = pair->R2, l->g1 = pair->R1 / (pair->R1 + pair->R2);
+        .R1 = R1, .R2 = R2, .m1 = m1, .m2 = m2, .I1 = of_mass * m1 * R1 * R1, .I2 = of_mass * m2 * R2 * R2};
+    l->R1 = R1, l->R2 = R2, l->g1 = R1 / (R1 + R2);
+    l->normal = tr_laws_normal[laws->normal.law], l->normal_par = laws->normal.par;
     l->friction = tr_laws_friction[laws->friction.law];
     l->rolling = tr_laws_rolling[laws->rolling.law];
     if (l->rolling->needs & TR_NEEDS_V_R) l->rolling_velocity = tr_rolling_velocities[laws->rolling_velocity].step;
-    l->friction_data = bind(l->friction, &laws->friction, &bodies, l->hist[0], l->pair[0]);
-    l->rolling_data = bind(l->rolling, &laws->rolling, &bodies, l->hist[1], l->pair[1]);
+    bind(l, 0, l->friction, &laws->friction, &bodies, scene->shape, &l->friction_data);
+    bind(l, 1, l->rolling, &laws->rolling, &bodies, scene->shape, &l->rolling_data);
     l->tile.n = 1;
     l->tile.R1 = &l->R1, l->tile.R2 = &l->R2, l->tile.g1 = &l->g1;
-    l->tile.dx[0] = pair->R1 + pair->R2;
+    l->tile.dx[0] = R1 + R2;
+}
+
+/* The normal law is a curve here, without its dashpot: what is given of force and overlap gives the other. */
+static void press(line *l, bool by_force, double value) {
+    if (by_force) {
+        l->P = value;
+        l->delta = l->normal->overlap(l->normal_par, l->R1, l->R2, value);
+    } else {
+        l->delta = value;
+        l->P = value > 0 ? l->normal->elastic(l->normal_par, l->R1, l->R2, value).force : 0;
+    }
+}
+
+/* The segment begins where the path has got to; the first one with its own force or overlap. */
+static void begin_segment(tr_contact *c) {
+    const tr_scene_segment *g = &c->scene->path[c->segment];
+    bool by_force = !isnan(g->force);
+    for (int i = 0; i < c->scene->n_laws; i++) {
+        line *l = &c->lines[i];
+        if (c->step == 0) press(l, by_force, by_force ? g->force : g->overlap);
+        l->P_start = l->P, l->delta_start = l->delta;
+    }
 }
 
 tr_contact *tr_contact_new(const tr_scene *scene, tr_status *st) {
-    if (!tr_contact_check(scene, st)) return NULL;
     tr_contact *c = tr_alloc(1, sizeof *c, st);
     if (!c) return NULL;
-    *c = (tr_contact){.scene = scene, .k = 1, .P_start = scene->path[0].force};
+    *c = (tr_contact){.scene = scene, .k = 1};
     c->lines = tr_alloc((size_t)scene->n_laws, sizeof *c->lines, st);
     if (!c->lines) return free(c), NULL;
-    for (int i = 0; i < scene->n_laws; i++) set_line(&c->lines[i], &scene->laws[i], &scene->pair);
+    for (int i = 0; i < scene->n_laws; i++) set_line(&c->lines[i], &scene->laws[i], scene);
+    begin_segment(c);
     return c;
 }
 
@@ -108,12 +109,13 @@ int64_t tr_contact_steps(const tr_scene *scene) {
 }
 
 /* The pipeline of an assembly, less the normal law. */
-static void run_passes(line *l, double P, double w1, double w2, double dt) {
+static void run_passes(line *l, double w1, double w2, double dt) {
     tr_tile *t = &l->tile;
     t->dt = dt;
     t->w1[0] = w1, t->w2[0] = w2;
     tr_kinematics_pair(t, NULL);
-    t->f_elastic[0] = t->f_n[0] = P;
+    t->delta[0] = l->delta;
+    t->f_elastic[0] = t->f_n[0] = l->P;
     if (l->friction->step) l->friction->step(t, &l->friction_data);
     if (l->rolling_velocity) l->rolling_velocity(t, NULL);
     if (l->rolling->step) l->rolling->step(t, &l->rolling_data);
@@ -126,36 +128,49 @@ static void read_line(const line *l, tr_contact_state *s) {
     s->q = bound[0] > 0 ? fabs(s->Q) / bound[0] : 0;
     s->moment_1 = l->tile.m1[0] + 0.0, s->moment_2 = l->tile.m2[0] + 0.0;
     s->f_r = l->tile.f_r[0] + 0.0;
+    s->merged = l->friction->merged ? (int64_t)l->hist[0][l->friction->merged - 1] : 0;
 }
 
 static bool is_finite(const tr_contact_state *s) {
-    return isfinite(s->u_slide) && isfinite(s->u_roll) && isfinite(s->P) && isfinite(s->a) && isfinite(s->Q) &&
-           isfinite(s->q) && isfinite(s->moment_1) && isfinite(s->moment_2) && isfinite(s->f_r);
+    return isfinite(s->u_slide) && isfinite(s->u_roll) && isfinite(s->P) && isfinite(s->overlap) && isfinite(s->a) &&
+           isfinite(s->Q) && isfinite(s->q) && isfinite(s->moment_1) && isfinite(s->moment_2) && isfinite(s->f_r);
+}
+
+/* Half-width of the contact of disks [Johnson1985 eq. 4.45], radius of that of spheres [Johnson1985 eq. 4.22]. */
+static double half_width(const tr_scene *scene, double P) {
+    const tr_scene_pair *pair = &scene->pair;
+    return scene->shape == TR_SHAPE_SPHERE ? cbrt(3 * P * pair->R_star / (4 * pair->E_star))
+                                           : sqrt(4 * P * pair->R_star / (M_PI * pair->E_star));
 }
 
 bool tr_contact_step(tr_contact *c, tr_contact_state *state, tr_status *st) {
     const tr_scene_pair *pair = &c->scene->pair;
     const tr_scene_segment *g = &c->scene->path[c->segment];
+    const bool by_force = !isnan(g->force), last = c->k == g->steps;
     const double dt = (g->time > 0 ? g->time : 1) / g->steps; /* no law that asks for a time is without one */
     const double v_slide = g->slide / (dt * g->steps), v_roll = g->roll / (dt * g->steps);
     const double w1 = (v_slide / 2 - v_roll) / pair->R1, w2 = (v_slide / 2 + v_roll) / pair->R2;
-    const double part = (double)c->k / g->steps;
+    const double part = (double)c->k / g->steps, goal = by_force ? g->force : g->overlap;
     tr_contact_state s = {.step = ++c->step, .segment = c->segment};
     s.u_slide = c->slide_start + part * g->slide, s.u_roll = c->roll_start + part * g->roll;
-    s.P = c->k == g->steps ? g->force : c->P_start + part * (g->force - c->P_start);
-    s.a = sqrt(4 * s.P * pair->R_star / (M_PI * pair->E_star));
     for (int i = 0; i < c->scene->n_laws; i++) {
-        s.law = i;
-        run_passes(&c->lines[i], s.P, w1, w2, dt);
-        read_line(&c->lines[i], &s);
+        line *l = &c->lines[i];
+        double start = by_force ? l->P_start : l->delta_start;
+        press(l, by_force, last ? goal : start + part * (goal - start));
+        run_passes(l, w1, w2, dt);
+        s.law = i, s.P = l->P, s.overlap = l->delta, s.a = half_width(c->scene, l->P);
+        read_line(l, &s);
         if (!is_finite(&s))
             return tr_status_fail(st, TR_NUMERICAL, "error: a number of laws.%d is not finite at step %lld (path.%d)",
                                   i, (long long)s.step, s.segment);
         state[i] = s;
     }
-    if (c->k++ == g->steps) {
-        c->P_start = s.P, c->slide_start = s.u_slide, c->roll_start = s.u_roll;
-        c->segment++, c->k = 1;
+    if (last) {
+        c->slide_start = s.u_slide, c->roll_start = s.u_roll;
+        c->k = 1;
+        if (++c->segment < c->scene->n_segments) begin_segment(c);
+    } else {
+        c->k++;
     }
     return true;
 }

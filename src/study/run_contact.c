@@ -52,6 +52,7 @@ static bool write_state(drive *d, const tr_contact_state *s, tr_status *st) {
     tr_row_add(&row, s->moment_1, "moment_1_N");
     tr_row_add(&row, s->moment_2, "moment_2_N");
     tr_row_add(&row, s->f_r, "f_r_N_per_m");
+    tr_row_add(&row, s->overlap, "overlap_m");
     return tr_row_write_exact(&row, &d->table, st);
 }
 

@@ -60,7 +60,7 @@ static inline tr_scene_contact contact_of(test_laws p) {
 
 static inline void new_world(tr_world *world, int n) {
     tr_status st = {0};
-    if (!tr_world_init(world, n, &st)) fail_msg("%s", st.text);
+    if (!tr_world_init(world, n, TR_SHAPE_DISK, &st)) fail_msg("%s", st.text);
 }
 
 static inline void set_laws(tr_world *world, test_laws p, unsigned sinks) {

@@ -39,7 +39,7 @@ static answer one_step(single p, double T0, double dt) {
         tr_kinematics_wall(&t, NULL);
     }
     t.f_n[0] = p.f_n;
-    tr_law_data data = {.par = par, .hist = {&T}};
+    tr_law_data data = {.par = par, .hist = (double *[]){&T}};
     law()->step(&t, &data);
     tr_resultant_rolling_force(&t, NULL);
     for (int v = 0; v < tr_n_rolling_velocities; v++)

@@ -40,7 +40,7 @@ static void set_up(double a, double b) {
 }
 
 static void run(void) {
-    tr_law_data data = {.par = par, .hist = {Q}};
+    tr_law_data data = {.par = par, .hist = (double *[]){Q}};
     law->step(&tile, &data);
 }
 

@@ -18,6 +18,7 @@ typedef struct bench {
     double R1[TR_TILE], R2[TR_TILE], g1[TR_TILE], m1[TR_TILE], m2[TR_TILE];
     double hist_store[3][TR_MAX_HIST][FIRST + TR_TILE], pair_store[3][TR_MAX_PAIR][FIRST + TR_TILE];
     double *hist[3][TR_MAX_HIST], *pair[3][TR_MAX_PAIR]; /* of the first contact of the tile */
+    double *hist_at[3][TR_MAX_HIST], *pair_at[3][TR_MAX_PAIR];
     double par[3][TR_LAW_PAR];
     const tr_law *law[3]; /* normal, friction, rolling */
     double dt;
@@ -31,10 +32,13 @@ static double random_in(double a, double b) {
 }
 
 static tr_law_data data_of(int slot) {
-    tr_law_data d = {.par = B.par[slot]};
-    for (int k = 0; k < TR_MAX_HIST; k++) d.hist[k] = B.hist_store[slot][k];
-    for (int k = 0; k < TR_MAX_PAIR; k++) d.pair[k] = B.pair_store[slot][k];
-    return d;
+    for (int k = 0; k < TR_MAX_HIST; k++) B.hist_at[slot][k] = B.hist_store[slot][k];
+    for (int k = 0; k < TR_MAX_PAIR; k++) B.pair_at[slot][k] = B.pair_store[slot][k];
+    return (tr_law_data){.par = B.par[slot],
+                         .hist = B.hist_at[slot],
+                         .pair = B.pair_at[slot],
+                         .normal = B.law[0],
+                         .normal_par = B.par[0]};
 }
 
 static double parameter(int slot, const char *key) {
@@ -43,6 +47,11 @@ static double parameter(int slot, const char *key) {
     for (int i = 0; i < t->n; i++)
         if (!strcmp(t->params[i].key, key)) memcpy(&value, (char *)B.par[slot] + t->params[i].offset, sizeof value);
     return value;
+}
+
+static tr_pair_bodies bodies_of(int i) {
+    double R1 = B.R1[i], R2 = B.R2[i], m1 = B.m1[i], m2 = B.m2[i];
+    return (tr_pair_bodies){.R1 = R1, .R2 = R2, .m1 = m1, .m2 = m2, .I1 = m1 * R1 * R1 / 2, .I2 = m2 * R2 * R2 / 2};
 }
 
 /* Any parameter: a stiffness 2e6, a number 0.3. Lane 0 is a wall, the others pairs of ratio up to 10. */
@@ -67,7 +76,7 @@ static void set_up(const tr_law *normal, const tr_law *friction, const tr_law *r
         B.R1[i] = i ? pow(10, random_in(-0.5, 0.5)) : 0, B.R2[i] = pow(10, random_in(-0.5, 0.5));
         B.g1[i] = i ? B.R1[i] / (B.R1[i] + B.R2[i]) : 1;
         B.m1[i] = i ? 10 * B.R1[i] * B.R1[i] : INFINITY, B.m2[i] = 10 * B.R2[i] * B.R2[i];
-        tr_pair_bodies bodies = {B.R1[i], B.R2[i], B.m1[i], B.m2[i], 0};
+        tr_pair_bodies bodies = bodies_of(i);
         for (int s = 0; s < 3; s++) {
             double constants[TR_MAX_PAIR] = {0};
             if (!B.law[s]->n_pair) continue;
@@ -100,11 +109,11 @@ static void random_motion(void) {
 
 typedef void with_laws(const tr_law *normal, const tr_law *friction, const tr_law *rolling);
 
+/* With the linear normal law, the first: the others have tests of their own. */
 static void for_all_laws(with_laws *run) {
     const tr_param_catalog *c = tr_laws_catalog();
-    for (int n = 0; n < c->n_normal; n++)
-        for (int f = 0; f < c->n_friction; f++)
-            for (int r = 0; r < c->n_rolling; r++) run(tr_laws_normal[n], tr_laws_friction[f], tr_laws_rolling[r]);
+    for (int f = 0; f < c->n_friction; f++)
+        for (int r = 0; r < c->n_rolling; r++) run(tr_laws_normal[0], tr_laws_friction[f], tr_laws_rolling[r]);
 }
 
 /* ---- without overlap */
@@ -320,7 +329,7 @@ static void test_stiffness_is_what_the_law_shows(void **state) {
             for (int i = 0; i < TR_TILE; i++) B.tile.delta[i] += 1e-6, B.tile.v_n[i] = 0.01;
             run_laws(B.dt);
             for (int i = 0; i < TR_TILE; i++) {
-                tr_pair_bodies b = {B.R1[i], B.R2[i], B.m1[i], B.m2[i], 0};
+                tr_pair_bodies b = bodies_of(i);
                 tr_stiffness n = B.law[0]->stiffness(B.par[0], &b), t = B.law[1]->stiffness(B.par[1], &b),
                              q = B.law[2]->stiffness(B.par[2], &b);
                 double d_n = B.tile.f_n[i] - old.f_n[i], du = 1e-3 * B.dt;

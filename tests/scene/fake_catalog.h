@@ -19,12 +19,16 @@ typedef struct fake_sticky {
 typedef struct fake_spring {
     double mu, k_t;
 } fake_spring;
+typedef struct fake_curve {
+    double E_star, depth;
+    int step;
+} fake_curve;
 typedef struct fake_rolling {
     double mu_r, k_r;
 } fake_rolling;
 
 #define FAKE_K(type, key, fallback)                                                                                    \
-    { #key, TR_REAL, TR_DIM_STIFFNESS, "Pa", fallback, 0, 1e15, NULL, offsetof(type, key), "stiffness " #key }
+    { #key, TR_REAL, TR_DIM_STIFFNESS, "Pa|N/m", fallback, 0, 1e15, NULL, offsetof(type, key), "stiffness " #key }
 #define FAKE_MU(type, key, fallback)                                                                                   \
     { #key, TR_REAL, TR_DIM_NUMBER, "1", fallback, 0, 10, NULL, offsetof(type, key), "coefficient " #key }
 
@@ -39,16 +43,26 @@ static const tr_param fake_sticky_rows[] = {
 static const tr_param fake_spring_rows[] = {FAKE_MU(fake_spring, mu, "0.5"), FAKE_K(fake_spring, k_t, "0.5*k_n")};
 static const tr_param fake_rolling_rows[] = {FAKE_MU(fake_rolling, mu_r, "0.5"), FAKE_K(fake_rolling, k_r, "k_t")};
 
-static const tr_param_table fake_tables[] = {
-    {"linear", "", fake_linear_rows, 2},         {"sticky", "", fake_sticky_rows, 5},
-    {"coulomb-spring", "", fake_spring_rows, 2}, {"none", "", NULL, 0},
-    {"wang-spring", "", fake_rolling_rows, 2},
+static const tr_param fake_curve_rows[] = {
+    {"E_star", TR_REAL, TR_DIM_MODULUS, "Pa", NULL, 0, 1e15, NULL, offsetof(fake_curve, E_star), "modulus"},
+    {"depth", TR_REAL, TR_DIM_LENGTH, "m", "0", 0, 1e6, NULL, offsetof(fake_curve, depth), "depth"},
+    {"step", TR_CHOICE, TR_DIM_NUMBER, "", "fast", 0, 0, "fast|exact", offsetof(fake_curve, step), "step"},
 };
-static const tr_param_table *const fake_normal[] = {&fake_tables[0], &fake_tables[1]};
+
+static const tr_param_table fake_tables[] = {
+    {.name = "linear", .params = fake_linear_rows, .n = 2},
+    {.name = "sticky", .params = fake_sticky_rows, .n = 5},
+    {.name = "coulomb-spring", .params = fake_spring_rows, .n = 2},
+    {.name = "none"},
+    {.name = "wang-spring", .params = fake_rolling_rows, .n = 2, .demands = TR_NEEDS_TIME | TR_NEEDS_DENSITY},
+    {.name = "hertz-line", .params = fake_curve_rows, .n = 3, .demands = TR_ONLY_DISKS, .driver_choice = "exact"},
+    {.name = "hertz-sphere", .params = fake_curve_rows, .n = 1, .demands = TR_ONLY_SPHERES},
+};
+static const tr_param_table *const fake_normal[] = {&fake_tables[0], &fake_tables[1], &fake_tables[5], &fake_tables[6]};
 static const tr_param_table *const fake_friction[] = {&fake_tables[2], &fake_tables[3]};
 static const tr_param_table *const fake_rolling_laws[] = {&fake_tables[3], &fake_tables[4]};
 static const tr_param_catalog fake_catalog = {
-    fake_normal, fake_friction, fake_rolling_laws, 2, 2, 2, "wang|bagi-kuhn|alonso-min|alonso-mean"};
+    fake_normal, fake_friction, fake_rolling_laws, 4, 2, 2, "wang|bagi-kuhn|alonso-min|alonso-mean"};
 
 static const char biaxial_case[] = "# the biaxial test\n"
                                    "kind: biaxial\n"
@@ -88,13 +102,13 @@ static const char bodies_case[] =
     "  - {nx: -1, ny: 1e-3}\n";
 
 static const char contact_case[] = "kind: contact\n"
-                                   "bodies: {R1: 10 mm, R2: R1/3, E: 70 GPa, nu: 0.3}\n"
+                                   "bodies: {R1: 10 mm, R2: R1/3, E: 70 GPa, nu: 0.3, density: 1 g/cm^3}\n"
                                    "laws:\n"
                                    "  - {friction: coulomb-spring, mu: 0.3, k_t: 0.35*E_star}\n"
                                    "  - {rolling: wang-spring, mu_r: 0.1, k_r: E_star/7, rolling_velocity: bagi-kuhn}\n"
                                    "path:\n"
-                                   "  - {force: 10 kN/m, slide: 0.18 um, roll: 3*a, steps: 40}\n"
-                                   "  - {force: 2.25*P, slide: -previous.slide, roll: -2*a}\n"
+                                   "  - {force: 10 kN/m, slide: 0.18 um, roll: 3*a, steps: 40, time: 1 s}\n"
+                                   "  - {force: 2.25*P, slide: -previous.slide, roll: -2*a, time: 2 s}\n"
                                    "  - {force: 0, roll: a, time: 1 ms}\n";
 
 static inline bool fake_read(tr_scene *scene, const char *text, const char *const *sets, int n_sets, tr_status *st) {

@@ -9,6 +9,7 @@
     "contact: {k_n: 1 MPa}\n"                                                                                          \
     "compaction: {pressure: 1 kPa}\n"
 #define PAIR "kind: contact\nbodies: {R1: 10 mm, R2: 10 mm, E: 70 GPa, nu: 0.3}\n"
+#define BALLS "kind: contact\nbodies: {R1: 10 mm, R2: 10 mm, E: 70 GPa, nu: 0.3, shape: sphere}\n"
 #define LAWS "laws: [{friction: coulomb-spring, k_t: E_star}]\n"
 #define ROLL PAIR LAWS "path: [{force: 1 kN/m}]\n"
 #define NO_DISKS "kind: bodies\ntime_end: 1 s\ncontact: {k_n: 1 MPa}\n"
@@ -64,16 +65,20 @@ static const bad_case rows[] = {
      "contact along a path\nkind: "
      "[biaxial]\n      ^"},
     {GOOD "smaple: {disks: 4}\n", 0, NULL,
-     "a.yaml:5:1: error: unknown key `smaple` (did you mean `sample`?); allowed here: kind, seed, sample, contact, "
+     "a.yaml:5:1: error: unknown key `smaple` (did you mean `sample`?); allowed here: kind, shape, seed, sample, "
+     "contact, "
      "compaction, shear, step, output\nsmaple: {disks: 4}\n^"},
     {GOOD "frobnicate: 3\n", 0, NULL,
-     "a.yaml:5:1: error: unknown key `frobnicate`; allowed here: kind, seed, sample, contact, compaction, shear, step, "
+     "a.yaml:5:1: error: unknown key `frobnicate`; allowed here: kind, shape, seed, sample, contact, compaction, "
+     "shear, step, "
      "output\nfrobnicate: 3\n^"},
     {GOOD "gravity: {y: -9.81}\n", 0, NULL,
-     "a.yaml:5:1: error: `gravity` is not for `kind: biaxial`; allowed here: kind, seed, sample, contact, compaction, "
+     "a.yaml:5:1: error: `gravity` is not for `kind: biaxial`; allowed here: kind, shape, seed, sample, contact, "
+     "compaction, "
      "shear, step, output\ngravity: {y: -9.81}\n^"},
     {GOOD_BODIES "seed: 3\n", 0, NULL, /* nothing is random there */
-     "a.yaml:5:1: error: `seed` is not for `kind: bodies`; allowed here: kind, time_end, contact, gravity, step, "
+     "a.yaml:5:1: error: `seed` is not for `kind: bodies`; allowed here: kind, shape, time_end, contact, gravity, "
+     "step, "
      "output, disks, walls\nseed: 3\n^"},
     {GOOD_BODIES "output: {energy: yes}\n", 0, NULL,
      "a.yaml:5:10: error: `output.energy` is not for `kind: bodies`; allowed here: frames, rows, contacts"
@@ -172,8 +177,8 @@ static const bad_case rows[] = {
     {"kind: biaxial\nsample: {r_min: 1 mm, r_max: 2 mm}\ncontact: {k_n: 1 MPa, normal: liner}\ncompaction: {pressure: "
      "1 kPa}\n",
      0, NULL,
-     "a.yaml:3:31: error: `liner` is not a choice for `normal` (did you mean `linear`?); allowed is linear | "
-     "sticky\ncontact: {k_n: 1 MPa, normal: liner}\n                              ^"},
+     "a.yaml:3:31: error: `liner` is not a choice for `normal` (did you mean `linear`?); allowed is linear | sticky | "
+     "hertz-line | hertz-sphere\ncontact: {k_n: 1 MPa, normal: liner}\n                              ^"},
     {"kind: biaxial\nsample: {r_min: 1 mm, r_max: 2 mm}\ncontact: {k_n: 1 MPa, rolling: none, k_r: 3 mm}\ncompaction: "
      "{pressure: 1 kPa}\n",
      0, NULL,
@@ -183,7 +188,8 @@ static const bad_case rows[] = {
      "kPa}\n",
      0, NULL,
      "a.yaml:3:23: error: unknown key `contact.k_m` (did you mean `k_n`?); allowed here: normal, friction, rolling, "
-     "rolling_velocity, k_n, damping_ratio, mu, k_t, mu_r, k_r, layers, wet, model\ncontact: {k_n: 1 MPa, k_m: 3}\n    "
+     "rolling_velocity, k_n, damping_ratio, mu, k_t, mu_r, k_r, layers, wet, model, E_star, depth, step\ncontact: "
+     "{k_n: 1 MPa, k_m: 3}\n    "
      "                  ^"},
     {"kind: biaxial\nsample: {r_min: 1 mm, r_max: 2 mm}\ncompaction: {pressure: 1 kPa}\n", 0, NULL,
      "a.yaml:3:30: error: `contact.k_n` is missing: stiffness k_n [Pa]\ncompaction: {pressure: 1 kPa}\n                "
@@ -304,19 +310,22 @@ static void contact_messages(void **state) {
         {PAIR LAWS "path: [{force: 1, a: 3 mm}]\n",
          "a.yaml:4:19: error: `path.0.a` follows from other keys, sqrt(4*P*R_star/(pi*E_star)), and cannot be given\n"},
         {PAIR LAWS "path: [{force: previous.force}]\n", "a.yaml:4:16: error: these keys name each other in a circle: "},
-        {PAIR LAWS "path: [{force: 1, slip: 2}]\n",
-         "a.yaml:4:19: error: unknown key `path.0.slip` (did you mean `slide`?); allowed here: force, slide, roll, "
-         "steps, time\n"},
+        {PAIR LAWS "path: [{force: 1, slip: 2}]\n", "a.yaml:4:19: error: unknown key `path.0.slip` (did you mean "
+                                                    "`slide`?); allowed here: force, overlap, slide, roll, "
+                                                    "steps, time\n"},
         {ROLL "E_star: 3 GPa\n", "a.yaml:5:1: error: `E_star` follows from other keys, bodies.E/(2*(1 - "
                                  "bodies.nu^2)), and cannot be given\n"},
         {ROLL "seed: 3\n", "a.yaml:5:1: error: `seed` is not for `kind: contact`; allowed here: kind, bodies, laws, "
                            "path\n"},
         {ROLL "contact: {mu: 1}\n", "a.yaml:5:1: error: `contact` is not for `kind: contact`; allowed here: "},
         {PAIR "laws: [{friction: coulomb-spring}]\npath: [{force: 1}]\n",
-         "a.yaml:3:8: error: `laws.0.k_t` is not given, and its default `0.5*k_n` fails: unknown name `k_n`"},
+         "a.yaml:3:8: error: `laws.0.k_t` is not given, and its default `0.5*k_n` fails: `k_n` belongs to the law "
+         "linear, which "
+         "is not chosen (`k_t` is in Pa); give `k_t`\n"},
         {PAIR "laws: [{friction: coulomb, k_t: 1}]\npath: [{force: 1}]\n",
          "a.yaml:3:19: error: `coulomb` is not a choice for `friction`"},
-        {PAIR "laws: [{normal: linear}]\npath: [{force: 1}]\n", "a.yaml:3:9: error: unknown key `laws.0.normal`"},
+        {PAIR "laws: [{normal: linear}]\npath: [{force: 1}]\n",
+         "a.yaml:3:8: error: `laws.0.k_n` is missing: stiffness k_n [Pa]\n"},
         {PAIR "laws: {friction: none}\npath: [{force: 1}]\n", "a.yaml:3:7: error: `laws` must be a list"},
         {"kind: contact\nbodies: {R1: 0, R2: 1, E: 1, nu: 0}\n" LAWS "path: [{force: 1}]\n",
          "a.yaml:2:14: error: `R1` is 0, allowed is 1e-09 to 1000 m\n"},
@@ -324,8 +333,40 @@ static void contact_messages(void **state) {
          "a.yaml:2:27: error: `E` is -1, allowed is 0.001 to 1e+15 Pa\n"},
         {"kind: contact\nbodies: {R1: 1, R2: 1, E: 1, nu: 0.51}\n" LAWS "path: [{force: 1}]\n",
          "a.yaml:2:34: error: `nu` is 0.51, allowed is -0.999 to 0.5\n"},
-        {"kind: contact\nbodies: {R1: 1, R2: 1, E: 1, nu: 0, shape: sphere}\n" LAWS "path: [{force: 1}]\n",
-         "a.yaml:2:44: error: `sphere` is not a choice for `shape`; allowed is disk\n"},
+        {"kind: contact\nbodies: {R1: 1, R2: 1, E: 1, nu: 0, shape: cube}\n" LAWS "path: [{force: 1}]\n",
+         "a.yaml:2:44: error: `cube` is not a choice for `shape`; allowed is disk | sphere\n"},
+        {BALLS "laws: [{}]\npath: [{force: 1 N/m}]\n",
+         "a.yaml:4:16: error: wrong dimension: this is in kg s^-2 (`force` is in N)\n"},
+        {BALLS "laws: [{normal: linear, k_n: 1 Pa}]\npath: [{force: 1}]\n",
+         "a.yaml:3:30: error: wrong dimension: this is in kg m^-1 s^-2 (`k_n` is in N/m)\n"},
+        {BALLS "laws: [{normal: hertz-line}]\npath: [{force: 1}]\n",
+         "a.yaml:3:17: error: the law hertz-line is for disks, and `shape` is sphere\n"},
+        {PAIR "laws: [{normal: hertz-sphere}]\npath: [{force: 1}]\n",
+         "a.yaml:3:17: error: the law hertz-sphere is for spheres, and `shape` is disk\n"},
+        {PAIR LAWS "path: [{force: 1, overlap: 1 um}]\n",
+         "a.yaml:4:16: error: `force` and `overlap` say the same: give one"},
+        {PAIR LAWS "path: [{overlap: 1 um, slide: P}]\n",
+         "a.yaml:4:31: error: `P` stands for `previous.force` here, and that fails: `path.0.force` is not known: "
+         "`overlap` is given in its place"},
+        {"kind: contact\nbodies: {R1: 1, R2: 1, E: 1, nu: 0, depth: 1, Lambda: 2}\n" LAWS "path: [{force: 1}]\n",
+         "a.yaml:2:55: error: `Lambda` and `depth` say the same: give one"},
+        {"kind: contact\nbodies: {R1: 10 mm, R2: 10 mm, E: 70 GPa, nu: 0.3, depth: 99 um}\n" LAWS
+         "path: [{force: 1 kN/m}, {force: 60 kN/m}]\n",
+         "a.yaml:4:33: error: this presses the contact of `laws.0` as wide as its depth, 9.9e-05 m; give a smaller "
+         "force "
+         "or a larger `bodies.depth`\n"},
+        {"kind: contact\nbodies: {R1: 10 mm, R2: 10 mm, E: 70 GPa, nu: 0.3, depth: 10 um}\n" LAWS
+         "path: [{overlap: 0.012 um}]\n",
+         "a.yaml:4:18: error: this presses the contact of `laws.0` as wide as its depth, 1e-05 m; give a smaller "
+         "overlap"},
+        {PAIR "laws: [{rolling: wang-spring, k_r: 1}]\npath: [{force: 1, time: 1}]\n",
+         "a.yaml:2:9: error: `bodies.density` is missing: rolling law wang-spring of `laws.0` depends on the inertia"},
+        {"kind: contact\nbodies: {R1: 1, R2: 1, E: 1, nu: 0, density: 1}\n"
+         "laws: [{rolling: wang-spring, k_r: 1}]\npath: [{force: 1e-3, time: 1}, {force: 1e-3}]\n",
+         "a.yaml:4:32: error: `path.1.time` is missing: rolling law wang-spring of `laws.0` depends on the rate\n"},
+        {"kind: biaxial\ncontact: {normal: hertz-line, E_star: 1 GPa, step: exact, k_t: 1}\n"
+         "sample: {r_min: 1, r_max: 1}\ncompaction: {pressure: 1}\n",
+         "a.yaml:2:52: error: `step: exact` of the law hertz-line is for `kind: contact` only\n"},
         {"kind: contact\nbodies: {R1: 1, R2: 1, nu: 0}\n" LAWS "path: [{force: 1}]\n",
          "a.yaml:2:9: error: `bodies.E` is missing: Young's modulus of both [Pa]\n"},
     };

@@ -27,7 +27,7 @@ static bool value(const char *text, tr_dim dim, double *v, tr_problem *problem) 
 
 static void accepts(void **state) {
     (void)state;
-    const tr_dim number = TR_DIM_NUMBER, length = TR_DIM_LENGTH, area = {0, 2, 0}, pressure = TR_DIM_PRESSURE,
+    const tr_dim number = TR_DIM_NUMBER, length = TR_DIM_LENGTH, area = {0, 2, 0, 0}, pressure = TR_DIM_STRESS,
                  time = TR_DIM_TIME, speed = TR_DIM_SPEED, density = TR_DIM_DENSITY, spin = TR_DIM_SPIN;
     const struct {
         const char *text;
@@ -128,8 +128,8 @@ static void refuses(void **state) {
                          {"1)", 1, "this `)` has no `(`"},
                          {"", 0, "no value"},
                          {"sqrt 2", 0, "a function needs its argument in parentheses, as in sqrt(2)"},
-                         {"exp(2)", 0, "not a function; allowed are sqrt sin cos tan atan"},
-                         {"mm(2)", 0, "not a function; allowed are sqrt sin cos tan atan"},
+                         {"log(2)", 0, "not a function; allowed are sqrt exp sin cos tan atan"},
+                         {"mm(2)", 0, "not a function; allowed are sqrt exp sin cos tan atan"},
                          {"1e999", 0, "the result is not a finite number"},
                          {"1/0", 0, "the result is not a finite number"},
                          {"sqrt(-1)", 0, "the result is not a finite number"},
@@ -185,12 +185,15 @@ static void rows_agree_with_units(void **state) {
             const tr_param *p = &tr_sections[i].params[k];
             double v;
             tr_problem problem;
-            char text[64];
+            char text[64], buffer[TR_BY_SHAPE];
             assert_false(tr_expression_reserved(p->key));
-            if (p->type != TR_REAL) continue;
-            snprintf(text, sizeof text, strcmp(p->unit, "1") == 0 ? "%s" : "1 %s", p->unit);
-            if (!value(text, p->dim, &v, &problem)) fail_msg("%s: `%s` %s", p->key, text, problem.text);
-            assert_close(v, 1, 0, 0);
+            for (tr_shape shape = TR_SHAPE_DISK; p->type == TR_REAL && shape <= TR_SHAPE_SPHERE; shape++) {
+                const char *unit = tr_param_by_shape(p->unit, shape, buffer);
+                snprintf(text, sizeof text, strcmp(unit, "1") == 0 ? "%s" : "1 %s", unit);
+                if (!value(text, tr_dim_of(p->dim, shape), &v, &problem))
+                    fail_msg("%s: `%s` %s", p->key, text, problem.text);
+                assert_close(v, 1, 0, 0);
+            }
         }
     }
     char all[] = TR_EXPRESSION_UNITS;

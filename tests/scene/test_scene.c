@@ -119,7 +119,7 @@ static void contact(void **state) {
     assert_close(s.pair.R2, 0.01 / 3, 1e-15, 0);
     assert_close(s.pair.E_star, E_star, 1e-15, 0);
     assert_close(s.pair.R_star, R_star, 1e-15, 0);
-    assert_close(s.pair.density, 0, 0, 0);
+    assert_close(s.pair.density, 1000, 1e-15, 0);
     assert_int_equal(s.n_laws, 2);
     const fake_spring *spring = (const void *)s.laws[0].friction.par;
     const fake_rolling *rolling = (const void *)s.laws[1].rolling.par;
@@ -233,6 +233,8 @@ static void written_text(void **state) {
     const char *const lines[] = {
         "kind: bodies                               # what is simulated: a biaxial test, a few bodies, or one contact "
         "along a path\n"
+        "shape: disk                                # disk: a cylinder per metre of length; sphere: moves in the "
+        "plane\n"
         "time_end: 0.1                              # time that the run covers [s]\n"
         "\ncontact: # what two disks do to each other\n"
         "  normal: linear                           # law of the normal force\n",
@@ -246,6 +248,47 @@ static void written_text(void **state) {
     assert_null(strstr(text, "energy"));
     assert_null(strstr(text, "mu_r"));
     free(text);
+    tr_scene_free(&s);
+}
+
+/* Spheres: their units, their laws by default, their contact; the ways of giving a depth. */
+static void spheres(void **state) {
+    (void)state;
+    tr_scene s = read_ok("kind: contact\n"
+                         "bodies: {shape: sphere, R1: 1 cm, R2: 1 cm, E: 91 GPa, nu: 0.3}\n"
+                         "laws: [{}, {normal: linear, k_n: 3 kN/m}]\n"
+                         "path: [{force: 6 N, roll: a}, {overlap: 2 um}]\n",
+                         NULL, 0);
+    assert_int_equal(s.shape, TR_SHAPE_SPHERE);
+    assert_int_equal(s.laws[0].normal.law, 3);
+    assert_int_equal(s.laws[1].normal.law, 0);
+    assert_close(((const fake_curve *)(const void *)s.laws[0].normal.par)->E_star, 50e9, 1e-15, 0);
+    assert_close(((const fake_linear *)(const void *)s.laws[1].normal.par)->k_n, 3e3, 0, 0);
+    assert_close(s.path[0].roll, cbrt(3 * 6 * 0.005 / (4 * 50e9)), 1e-14, 0);
+    assert_true(isnan(s.path[0].overlap) && isnan(s.path[1].force));
+    assert_close(s.path[1].overlap, 2e-6, 0, 0);
+    round_trip(&s);
+    tr_scene_free(&s);
+    static const char *const depths[] = {"", ", depth: 3 mm", ", Lambda: 4.5"};
+    const double a = sqrt(4 * 1e4 * 0.005 / (M_PI * 50e9)), d[] = {0.02 / M_E, 3e-3, a * exp(4.5) / 2};
+    for (int i = 0; i < 3; i++) {
+        char text[400];
+        snprintf(text, sizeof text,
+                 "kind: contact\nbodies: {R1: 1 cm, R2: 1 cm, E: 91 GPa, nu: 0.3%s}\nlaws: [{}]\n"
+                 "path: [{force: 10 kN/m}]\n",
+                 depths[i]);
+        s = read_ok(text, NULL, 0);
+        assert_close(s.pair.d, d[i], 1e-14, 0);
+        assert_close(((const fake_curve *)(const void *)s.laws[0].normal.par)->depth, d[i], 1e-14, 0);
+        round_trip(&s);
+        tr_scene_free(&s);
+    }
+    s = read_ok("kind: biaxial\nshape: sphere\nsample: {r_min: 1 mm, r_max: 2 mm}\n"
+                "contact: {normal: hertz-sphere, E_star: 1 GPa, k_t: 5 kN/m, k_r: k_t}\n"
+                "compaction: {pressure: 100 N/m}\n",
+                NULL, 0);
+    assert_close(s.shear.lateral_pressure, 100, 0, 0);
+    round_trip(&s);
     tr_scene_free(&s);
 }
 
@@ -377,6 +420,7 @@ int main(void) {
         cmocka_unit_test(defaults),
         cmocka_unit_test(bodies),
         cmocka_unit_test(contact),
+        cmocka_unit_test(spheres),
         cmocka_unit_test(written_reads_the_same),
         cmocka_unit_test(written_text),
         cmocka_unit_test(large_case_reads_the_same),

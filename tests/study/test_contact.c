@@ -51,11 +51,9 @@ static void end(run *r) {
 static void refused(const char *text, const char *message) {
     tr_scene scene;
     tr_status st = {0};
-    if (!read_case(&scene, text, &st)) fail_msg("%s", st.text);
-    assert_null(tr_contact_new(&scene, &st));
+    if (read_case(&scene, text, &st)) fail_msg("accepted: %s", text);
     assert_int_equal(st.code, TR_BAD_CASE);
-    assert_string_equal(st.text, message);
-    tr_scene_free(&scene);
+    if (!strstr(st.text, message)) fail_msg("no `%s` in %s", message, st.text);
 }
 
 #define BODIES "kind: contact\nbodies: {R1: 10 mm, R2: 30 mm, E: 70 GPa, nu: 0.3}\n"
@@ -270,11 +268,11 @@ static void time_counts_where_it_must(void **state) {
     end(&r);
     end(&slow);
     refused(BODIES "laws: [{}, {rolling: star-displacement-damping}]\npath: [{force: 1, time: 1}]\n",
-            "error: `laws.1`: rolling: star-displacement-damping depends on the inertia of the bodies: give "
-            "`bodies.density`");
+            "a.yaml:2:9: error: `bodies.density` is missing: rolling law star-displacement-damping of `laws.1` depends on "
+            "the inertia of the bodies");
     refused(HEAVY "laws: [{}, {rolling: star-displacement-damping}]\npath: [{force: 1, time: 1}, {force: 2}]\n",
-            "error: `laws.1`: rolling: star-displacement-damping depends on the rate: give `path.1.time`, how long the "
-            "segment takes");
+            "a.yaml:4:29: error: `path.1.time` is missing: rolling law star-displacement-damping of `laws.1` depends on "
+            "the rate");
     r = drive(HEAVY "laws: [{rolling: star-displacement-damping, damping: yes}]\n"
                     "path: [{force: 1 kN/m, roll: 1 um, time: 1 ms}]\n");
     slow = drive(HEAVY "laws: [{rolling: star-displacement-damping, damping: yes}]\n"
@@ -290,11 +288,11 @@ static void extremes(void **state) {
     static const struct {
         const char *bodies, *law, *segment;
     } cases[] = {
-        {"R1: 1e-9, R2: 1000, E: 0.001, nu: -0.999", "friction: dahlberg-alfredsson, mu: 100, k_t: 1e15",
+        {"R1: 1e-9, R2: 1000, E: 0.001, nu: -0.999, depth: 1e6", "friction: dahlberg-alfredsson, mu: 100, k_t: 1e15",
          "force: 1e12, slide: 1000, roll: -1000, steps: 3, time: 1e-30"},
-        {"R1: 1000, R2: 1e-9, E: 1e15, nu: 0.5", "friction: dahlberg-alfredsson, mu: 1e-300, k_t: 1e-3",
+        {"R1: 1000, R2: 1e-9, E: 1e15, nu: 0.5, depth: 1", "friction: dahlberg-alfredsson, mu: 1e-300, k_t: 1e-3",
          "force: 1e-300, slide: 1e-300, roll: 1000, steps: 3"},
-        {"R1: 1000, R2: 1e-9, E: 1e15, nu: 0.5", "rolling: wang-spring, mu_r: 1, k_r: 1e15",
+        {"R1: 1000, R2: 1e-9, E: 1e15, nu: 0.5, depth: 1", "rolling: wang-spring, mu_r: 1, k_r: 1e15",
          "force: 1, slide: 1, roll: 1000, steps: 3, time: 1e-308"},
     };
     for (int i = 0; i < 3; i++) {

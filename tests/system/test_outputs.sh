@@ -54,7 +54,7 @@ contact_files() {
 check 'a contact runs' run_gives 0 "$cases/contact-reversal.yaml" -o contact
 check 'it writes these files' equals "$(listing contact)" "$(contact_files)"
 check 'the header of contact.csv' equals "$(head -n 1 contact/contact.csv)" \
-    'law,step,segment,u_slide_m,u_roll_m,P_N_per_m,Q_N_per_m,q,a_m,moment_1_N,moment_2_N,f_r_N_per_m'
+    'law,step,segment,u_slide_m,u_roll_m,P_N_per_m,Q_N_per_m,q,a_m,moment_1_N,moment_2_N,f_r_N_per_m,overlap_m'
 check 'a row for each law and step' equals "$(($(wc -l <contact/contact.csv) - 1))" 3200
 within() { awk -F, 'NR > 1 && !($8 >= 0 && $8 <= 1 + 1e-15) { print; bad = 1 } END { exit bad }' contact/contact.csv; }
 check 'friction within its bound' within
@@ -62,7 +62,7 @@ check 'it has no frames' run_gives 2 "$cases/contact-reversal.yaml" -o no --fram
 check 'and says so' says stderr '`output` is not for `kind: contact`; allowed here: kind, bodies, laws, path'
 check 'a law that depends on the rate is not guessed at' run_gives 2 "$cases/contact-reversal.yaml" -o no --check \
     --set laws.0.rolling=star-displacement-damping --set bodies.density=2700
-check 'it asks for the time' says stderr 'depends on the rate: give `path.0.time`'
+check 'it asks for the time' says stderr '`path.0.time` is missing: rolling law star-displacement-damping of `laws.0` depends on the rate'
 
 # ---- tables ----
 begins() {

@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: MIT */
+/* Line contact of disks, with a dashpot that follows the stiffness. Source [Johnson1985 secs. 4.2, 5.6].
+ *
+ *   a = sqrt(4 P R/(pi E_star)),   delta(P) = (2P/(pi E_star)) (Lambda + 1/2),   Lambda = ln(2d/a),   1/R = 1/R1 + 1/R2
+ *   k = dP/ddelta = pi E_star/(2 Lambda),   energy = P^2 (Lambda + 1/4)/(pi E_star)
+ *   f_n = max(0, P + c v_n),   c = 2 damping_ratio sqrt(k m_eff)
+ *
+ * In the plane the approach has no meaning without a datum: d says how deep it is. By default, depth: 0, each disk is
+ * pressed between two plates and its centre is the datum: d = 2 sqrt(R1 R2)/e, 2 R2/e at a wall, which then is rigid
+ * (ibid. eq. 5.57).
+ *
+ * P(delta): with z = (a/2d)^2, so P = z pi E_star d^2/R, the second line is z (1 - ln z) = delta R/d^2, and with w = 1 -
+ * ln z = 1 + 2 Lambda it is w - ln w = L = 1 - ln(delta R/d^2), increasing and convex for w > 1. Newton's method from w = L +
+ * ln L + ln L/L, at most 0.2 off, has all digits of a double after STEPS steps. Where a would reach d (w < LEAST) there
+ * is no such contact any more: P goes on linearly there, so that numbers stay sane until so large an overlap is refused.
+ *
+ * delta -> 0: k goes to 0 as 1/ln delta, P to 0. delta <= 0: nothing. A contact ends, for the force, when f_n reaches 0.
+ */
+#include "laws/law.h"
+
+#include <math.h>
+
+enum { STEPS = 4 };
+static const double LEAST = 1 + 2 * M_LN2; /* w at a = d */
+
+typedef struct par {
+    double E_star, depth, damping_ratio;
+} par;
+
+static const tr_param params[] = {
+    {"E_star", TR_REAL, TR_DIM_MODULUS, "Pa", NULL, 1e-3, 1e15, NULL, offsetof(par, E_star),
+     "contact modulus, 1/E_star = sum of (1 - nu^2)/E of the two"},
+    {"depth", TR_REAL, TR_DIM_LENGTH, "m", "0", 0, 1e6, NULL, offsetof(par, depth),
+     "d of the approach (2P/(pi E_star)) (ln(2d/a) + 1/2); 0: that of the disks, 2 sqrt(R1 R2)/e"},
+    {"damping_ratio", TR_REAL, TR_DIM_NUMBER, "1", "0.3", 0, 10, NULL, offsetof(par, damping_ratio),
+     "normal dashpot, as a share of critical damping of the pair at the stiffness of now"},
+};
+
+static double depth(const par *p, double R1, double R2) {
+    return p->depth > 0 ? p->depth : 2 / M_E * (R1 > 0 ? sqrt(R1 * R2) : R2);
+}
+
+/* What follows from the radii. */
+typedef struct line {
+    double strength; /* pi E_star d^2/R: P over z [N/m] */
+    double scale;    /* R/d^2 [1/m] */
+    double E_star;
+} line;
+
+static line line_of(const par *p, double R1, double R2) {
+    double d = depth(p, R1, R2), R = tr_law_R_star(R1, R2);
+    return (line){M_PI * p->E_star * d * d / R, R / (d * d), p->E_star};
+}
+
+static tr_elastic at_w(const line *l, double w) {
+    double P = l->strength * exp(1 - w);
+    return (tr_elastic){P, P * P * (0.5 * w - 0.25) / (M_PI * l->E_star), M_PI * l->E_star / (w - 1)};
+}
+
+static tr_elastic at_overlap(const line *l, double delta) {
+    if (!(delta > 0)) return (tr_elastic){0, 0, 0};
+    double L = 1 - log(l->scale * delta), L_least = LEAST - log(LEAST);
+    if (L < L_least) {
+        tr_elastic end = at_w(l, LEAST);
+        double more = delta - exp(1 - L_least) / l->scale;
+        return (tr_elastic){end.force + end.stiffness * more,
+                            end.energy + (end.force + 0.5 * end.stiffness * more) * more, end.stiffness};
+    }
+    double w = L + log(L) + log(L) / L;
+    for (int n = 0; n < STEPS; n++) w = fmax(LEAST, w - (w - log(w) - L) * w / (w - 1));
+    return at_w(l, w);
+}
+
+static void pair(const void *par_, const tr_pair_bodies *b, double *constants) {
+    const par *p = par_;
+    line l = line_of(p, b->R1, b->R2);
+    constants[0] = l.strength, constants[1] = l.scale;
+    constants[2] = 2 * p->damping_ratio * sqrt(tr_law_m_eff(b)); /* c = this sqrt(k) */
+}
+
+static line line_at(const tr_tile *tile, const tr_law_data *data, int i) {
+    const par *p = data->par;
+    return (line){data->pair[0][tile->first + i], data->pair[1][tile->first + i], p->E_star};
+}
+
+/* No vector code: logarithms are calls. */
+static void step(tr_tile *tile, const tr_law_data *data) {
+    const double *damp = data->pair[2] + tile->first;
+    for (int i = 0; i < tile->n; i++) {
+        line l = line_at(tile, data, i);
+        tr_elastic e = at_overlap(&l, tile->delta[i]);
+        double force = e.force + damp[i] * sqrt(e.stiffness) * tile->v_n[i];
+        tile->f_elastic[i] = e.force;
+        tile->f_n[i] = force > 0 ? force : 0;
+    }
+}
+
+static void state(const tr_tile *tile, const tr_law_data *data, double *energy, double *bound) {
+    (void)bound;
+    for (int i = 0; i < tile->n; i++) {
+        line l = line_at(tile, data, i);
+        energy[i] = at_overlap(&l, tile->delta[i]).energy;
+    }
+}
+
+static tr_elastic elastic(const void *par, double R1, double R2, double delta) {
+    line l = line_of(par, R1, R2);
+    return at_overlap(&l, delta);
+}
+
+static double overlap(const void *par, double R1, double R2, double force) {
+    line l = line_of(par, R1, R2);
+    if (!(force > 0)) return 0;
+    double z = force / l.strength;
+    if (z > exp(1 - LEAST)) {
+        tr_elastic end = at_w(&l, LEAST);
+        return LEAST * exp(1 - LEAST) / l.scale + (force - end.force) / end.stiffness;
+    }
+    return z * (1 - log(z)) / l.scale;
+}
+
+static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *b) {
+    const par *p = par_;
+    double k = elastic(par_, b->R1, b->R2, b->delta).stiffness;
+    return (tr_stiffness){.k = k, .c = 2 * p->damping_ratio * sqrt(k * tr_law_m_eff(b))};
+}
+
+const tr_law tr_normal_hertz_line = {
+    .table = {"hertz-line", "Hertz line contact of disks with the logarithmic approach, and dashpot, no attraction",
+              params, .n = sizeof params / sizeof *params, .demands = TR_ONLY_DISKS},
+    .source = "[Johnson1985] [Tsuji1992]",
+    .formula = "f_n = max(0, P + c v_n), delta = (2P/(pi E_star)) (ln(2d/a) + 1/2)\n"
+               "a = sqrt(4 P R/(pi E_star)), 1/R = 1/R1 + 1/R2, d = depth\n"
+               "c = 2 damping_ratio sqrt(k m_eff), k = dP/ddelta, m_eff = m1 m2/(m1 + m2)",
+    .differs =
+        "Where a would exceed d the force goes on linearly. The force of the dashpot never pulls: a contact ends "
+        "when f_n reaches 0, not when the overlap does.",
+    .claims = TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
+    .n_pair = 3,
+    .pair = pair,
+    .step = step,
+    .state = state,
+    .stiffness = stiffness,
+    .elastic = elastic,
+    .overlap = overlap,
+};
