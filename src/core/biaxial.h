@@ -25,7 +25,7 @@ typedef struct tr_biaxial {
     double mean_mass;                 /* [kg/m] the m of the inertial number */
     double disk_area;                 /* [m^2] */
     double dt_bound;                  /* [s] what dt is a share of */
-    double drag;             /* of the compaction: force = -drag * mass * velocity [1/s] */
+    double drag;                      /* of the compaction: force = -drag * mass * velocity [1/s] */
     double rate;                      /* axial strain rate of the shear [1/s] */
     double height0;                   /* [m] at the start of the shear */
     int64_t shear_start, shear_steps; /* steps before the shear, and in it */

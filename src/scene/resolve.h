@@ -18,7 +18,7 @@ typedef struct tr_entry {
                              derived. Without a node such an entry is resolved only when another names it */
     const char *law;      /* that law's name, else NULL. Such a key may be given, and named; it has no default */
     char by_shape[TR_BY_SHAPE]; /* room for the fallback of the case's shape */
-    bool derived;         /* follows from other keys by its default; node is NULL */
+    bool derived;               /* follows from other keys by its default; node is NULL */
     enum { TR_ENTRY_NEW, TR_ENTRY_BUSY, TR_ENTRY_DONE } state;
     struct tr_entry *asker; /* while busy: the key whose text named this one */
     struct tr_scope *scope;

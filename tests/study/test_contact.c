@@ -267,12 +267,14 @@ static void time_counts_where_it_must(void **state) {
     for (int i = 0; i < r.n; i++) assert_close(slow.state[0][i].Q, r.state[0][i].Q, 1e-12, 0);
     end(&r);
     end(&slow);
-    refused(BODIES "laws: [{}, {rolling: star-displacement-damping}]\npath: [{force: 1, time: 1}]\n",
-            "a.yaml:2:9: error: `bodies.density` is missing: rolling law star-displacement-damping of `laws.1` depends on "
-            "the inertia of the bodies");
-    refused(HEAVY "laws: [{}, {rolling: star-displacement-damping}]\npath: [{force: 1, time: 1}, {force: 2}]\n",
-            "a.yaml:4:29: error: `path.1.time` is missing: rolling law star-displacement-damping of `laws.1` depends on "
-            "the rate");
+    refused(
+        BODIES "laws: [{}, {rolling: star-displacement-damping}]\npath: [{force: 1, time: 1}]\n",
+        "a.yaml:2:9: error: `bodies.density` is missing: rolling law star-displacement-damping of `laws.1` depends on "
+        "the inertia of the bodies");
+    refused(
+        HEAVY "laws: [{}, {rolling: star-displacement-damping}]\npath: [{force: 1, time: 1}, {force: 2}]\n",
+        "a.yaml:4:29: error: `path.1.time` is missing: rolling law star-displacement-damping of `laws.1` depends on "
+        "the rate");
     r = drive(HEAVY "laws: [{rolling: star-displacement-damping, damping: yes}]\n"
                     "path: [{force: 1 kN/m, roll: 1 um, time: 1 ms}]\n");
     slow = drive(HEAVY "laws: [{rolling: star-displacement-damping, damping: yes}]\n"
