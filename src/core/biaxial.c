@@ -33,7 +33,7 @@ static tr_scene_contact compaction_laws(const tr_scene *scene) {
         if (!tr_laws_rolling[i]->step) c.rolling.law = i;
     for (int i = 0; mu == 0 && i < tr_laws_catalog()->n_friction; i++)
         if (!tr_laws_friction[i]->step) c.friction.law = i;
-    double *friction_mu = tr_slot_value(tr_laws_friction[c.friction.law], c.friction.par, "mu");
+    double *friction_mu = tr_law_value(tr_laws_friction[c.friction.law], c.friction.par, "mu");
     if (friction_mu) *friction_mu = mu;
     return c;
 }
@@ -51,8 +51,7 @@ bool tr_biaxial_init(tr_biaxial *b, const tr_scene *scene, tr_status *st) {
     int n = scene->sample.disks;
     *b = (tr_biaxial){.scene = scene};
     const tr_scene_law *friction = &scene->contact.friction;
-    double par[TR_LAW_PAR];
-    if (scene->compaction.mu > 0 && !tr_slot_value(tr_laws_friction[friction->law], par, "mu"))
+    if (scene->compaction.mu > 0 && !tr_law_value(tr_laws_friction[friction->law], friction->par, "mu"))
         return tr_status_fail(
             st, TR_BAD_CASE,
             "error: compaction.mu = %g needs a friction law with a coefficient mu, not contact.friction: %s",

@@ -149,13 +149,6 @@ tr_law_data tr_group_data(const tr_group *group, const tr_slot *slot) {
                          .shape = group->shape};
 }
 
-double *tr_slot_value(const tr_law *law, double par[TR_LAW_PAR], const char *key) {
-    for (int k = 0; k < law->table.n; k++)
-        if (law->table.params[k].type == TR_REAL && !strcmp(law->table.params[k].key, key))
-            return (double *)(void *)((char *)par + law->table.params[k].offset);
-    return NULL;
-}
-
 size_t tr_world_bytes(const tr_world *world) {
     size_t bytes = sizeof *world + (size_t)world->disks.n * (4 * 4 + 1 + 4) * sizeof(double);
     if (world->disks.load) bytes += (size_t)world->disks.n * 4 * sizeof(double);

@@ -162,9 +162,6 @@ tr_pair_bodies tr_world_pair(const tr_world *world, const tr_group *group, int a
 /* What the law of a slot sees. */
 tr_law_data tr_group_data(const tr_group *group, const tr_slot *slot);
 
-/* A real parameter of a law by its key; NULL: the law has none of that name. */
-double *tr_slot_value(const tr_law *law, double par[TR_LAW_PAR], const char *key);
-
 /* Bytes that the world holds. */
 size_t tr_world_bytes(const tr_world *world);
 

@@ -3,6 +3,9 @@
  * a slot is its default. */
 #include "laws/law.h"
 
+#include <stdint.h>
+#include <string.h>
+
 #define NORMAL_LAWS(X)                                                                                                 \
     X(normal_linear)                                                                                                   \
     X(normal_hertz_line)                                                                                               \
@@ -51,4 +54,11 @@ const tr_param_catalog *tr_laws_catalog(void) {
         "wang|bagi-kuhn|alonso-min|alonso-mean", /* rolling_velocity.c; a test compares */
     };
     return &catalog;
+}
+
+double *tr_law_value(const tr_law *law, const double *par, const char *key) {
+    for (int k = 0; k < law->table.n; k++)
+        if (law->table.params[k].type == TR_REAL && !strcmp(law->table.params[k].key, key))
+            return (double *)(void *)((char *)(uintptr_t)par + law->table.params[k].offset);
+    return NULL;
 }

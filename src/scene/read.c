@@ -18,6 +18,7 @@ typedef struct reader {
     tr_resolver r;
     tr_scene *scene;
     tr_node *root;
+    const char *name;  /* of the file */
     tr_mark end;       /* of the file: where a section is missed */
     tr_entry *entries; /* of all scopes, one behind the other */
     int n_entries;
@@ -171,10 +172,23 @@ static bool read_mapping(reader *c, const tr_section *t) {
     return find_shape(c, s) && check_keys(c, s);
 }
 
+/* `path: FILE.csv`: the name counts from the folder of the case; as a whole one it also serves the resolved case, which
+ * will stand elsewhere. */
+static bool read_file_name(reader *c, const tr_section *t, const tr_node *node) {
+    const char *name = c->name, *slash = strrchr(name, '/');
+    char text[2048];
+    snprintf(text, sizeof text, "%.*s%s", slash && *node->text != '/' ? (int)(slash + 1 - name) : 0, name, node->text);
+    char *whole = realpath(text, NULL);
+    if (!whole) return tr_text_fail(c->st, node->mark, "cannot read %.300s: %s", text, strerror(errno));
+    memcpy(field(c->scene, t->file), &whole, sizeof whole);
+    return true;
+}
+
 static bool read_list(reader *c, const tr_section *t) {
     const tr_node *node = tr_tree_find(c->root, t->key);
     char what[48];
     snprintf(what, sizeof what, "`%s`", t->key);
+    if (t->file && node && node->type == TR_NODE_VALUE && *node->text) return read_file_name(c, t, node);
     if (!check_type(c, node, TR_NODE_LIST, what)) return false;
     int n = node ? tr_tree_count(node) : 0;
     if (n < t->min_items || n > t->max_items)
@@ -363,7 +377,7 @@ bool tr_scene_read(tr_scene *scene, const char *name, const char *text, size_t s
     *scene = (tr_scene){0};
     if (size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) text += 3, size -= 3; /* byte order mark */
     const tr_source source = {name, text, size};
-    reader c = {.r = {.catalog = catalog, .st = st}, .scene = scene, .st = st};
+    reader c = {.r = {.catalog = catalog, .st = st}, .scene = scene, .name = name, .st = st};
     tr_source *sources = tr_alloc((size_t)n_sets, sizeof *sources, st);
     bool ok = sources && tr_text_check(&source, st) && (c.root = tr_tree_read(&source, st)) &&
               (c.r.expression = tr_expression_new(st));
@@ -403,5 +417,6 @@ void tr_scene_free(tr_scene *scene) {
     free(scene->walls);
     free(scene->laws);
     free(scene->path);
+    free(scene->path_file);
     *scene = (tr_scene){0};
 }

@@ -116,6 +116,7 @@ typedef struct tr_scene {
     tr_scene_pair pair;
     tr_scene_contact *laws; /* owned by the scene; each runs along the path by itself */
     tr_scene_segment *path; /* owned by the scene */
+    char *path_file; /* owned by the scene: a CSV file that holds the path, and path is empty; NULL: path is here */
     int n_laws, n_segments;
 } tr_scene;
 

@@ -218,7 +218,7 @@ const tr_section tr_sections[] = {
     SECTION("laws", "each runs along the path by itself", TR_FOR_CONTACT, laws, LIST(laws, n_laws, 1, TR_MAX_LAWS),
             .first_slot = 1),
     SECTION("path", "of the contact; the line of centres stands still", TR_FOR_CONTACT, path,
-            LIST(path, n_segments, 1, 1000)),
+            LIST(path, n_segments, 1, 1000), .file = AT(path_file)),
     SECTION("path", "", TR_FOR_CONTACT, path_start, LIST(path, n_segments, 1, 1000), .derived = true),
 };
 const int tr_n_sections = sizeof tr_sections / sizeof *tr_sections;

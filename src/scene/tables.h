@@ -25,6 +25,8 @@ typedef struct tr_section {
     size_t offset; /* in tr_scene, of the struct that the rows describe; of a list: of the pointer to its items */
     size_t item;   /* of a list: size of an item; 0: not a list */
     size_t count;  /* of a list: offset in tr_scene of the number of items */
+    size_t file;   /* of a list: offset in tr_scene of a char *: a single value in place of the list names a file that
+                      holds it; 0: not so */
     int min_items, max_items;
     bool derived;   /* the rows follow from other keys by their default: they can be named, but neither given nor
                        written. In a list their values have no place in the scene */

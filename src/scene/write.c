@@ -95,6 +95,14 @@ static void write_list(const writer *w, const tr_section *t) {
 
 static void write_section(const writer *w, const tr_section *t, bool begins) {
     if (t->derived) return;
+    const char *file = NULL;
+    if (t->file) memcpy(&file, (const char *)w->scene + t->file, sizeof file);
+    if (file) {
+        fprintf(w->out, "\n%s: \"", t->key);
+        for (; *file; file++) fprintf(w->out, strchr("\"\\", *file) ? "\\%c" : "%c", *file);
+        fprintf(w->out, "\"\n");
+        return;
+    }
     if (*t->key && begins) fprintf(w->out, *t->doc ? "\n%s: # %s\n" : "\n%s:\n", t->key, t->doc);
     if (t->item) {
         write_list(w, t);

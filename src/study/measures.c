@@ -4,11 +4,11 @@
 
 #include "base/alloc.h"
 #include "laws/law.h"
+#include "study/csv.h"
 #include <assert.h>
 #include <csv.h>
 #include <errno.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -162,121 +162,58 @@ void tr_measures_write(FILE *out, const char *label, const tr_motion *motion, co
 
 /* ---- rows in */
 
-enum { MAX_CELLS = 1024, CHUNK = 1 << 16, MAX_CELL = 1 << 20, IGNORED = -1, CASE = TR_MOTION_COLUMNS };
-
-typedef struct reader {
-    const char *path;
+typedef struct table {
     FILE *out;
-    tr_status *st;
-    long line, row_line; /* of the cell being read, of the start of its row */
-    bool after_cr;       /* the next line feed belongs to the line that just ended */
-    int cell, n_cells;   /* number of the cell in its row; cells of the header, 0 before it */
-    int role[MAX_CELLS]; /* what the cells of a column are: number in tr_motion_columns, CASE, IGNORED */
-    /* rows that wait to be measured */
+    /* rows that wait to be measured, and the one being read */
     int n;
     long lines[TR_TILE];
     char label[TR_TILE][TR_CASE_LABEL];
     tr_motion motion[TR_TILE];
     tr_motion_measures measures[TR_TILE];
-} reader;
+} table;
 
-/* path:line: error: ... */
-static bool fail(const reader *c, long line, const char *format, ...) __attribute__((format(printf, 3, 4)));
-static bool fail(const reader *c, long line, const char *format, ...) {
-    char text[512];
-    va_list args;
-    va_start(args, format);
-    vsnprintf(text, sizeof text, format, args);
-    va_end(args);
-    return tr_status_fail(c->st, TR_BAD_CASE, "%.480s:%ld: error: %s", c->path, line, text);
-}
+enum { CASE, R1, R2, COLUMNS = 1 + TR_MOTION_COLUMNS };
 
-/* A cell as a message may show it: short, and nothing that a terminal would obey. */
-static const char *shown(const char *text, char to[44]) {
-    int n = snprintf(to, 44, "%.40s%s", text, strlen(text) > 40 ? "..." : "");
-    for (int i = 0; i < n; i++)
-        if ((unsigned char)to[i] < ' ' || to[i] == 127) to[i] = '?';
-    return to;
-}
-
-static bool flush(reader *c) {
-    if (!tr_measures_motions(c->motion, c->n, c->measures, c->st)) return false;
-    for (int i = 0; i < c->n; i++) {
+static bool flush(table *t, tr_csv *csv) {
+    if (!tr_measures_motions(t->motion, t->n, t->measures, csv->st)) return false;
+    for (int i = 0; i < t->n; i++) {
         for (int k = 0; k < TR_MEASURES_COLUMNS; k++)
-            if (!isfinite(value(&c->measures[i], &tr_measures_columns[k])))
-                return fail(c, c->lines[i], "%s is not finite: the numbers of this row are too large or too small",
-                            tr_measures_columns[k].name);
-        tr_measures_write(c->out, c->label[i], &c->motion[i], &c->measures[i]);
+            if (!isfinite(value(&t->measures[i], &tr_measures_columns[k])))
+                return tr_csv_fail(csv, t->lines[i],
+                                   "%s is not finite: the numbers of this row are too large or too small",
+                                   tr_measures_columns[k].name);
+        tr_measures_write(t->out, t->label[i], &t->motion[i], &t->measures[i]);
     }
-    c->n = 0;
-    if (!ferror(c->out)) return true;
-    return tr_status_fail(c->st, TR_FILE, "error: cannot write the measures: %s", strerror(errno));
+    t->n = 0;
+    if (!ferror(t->out)) return true;
+    return tr_status_fail(csv->st, TR_FILE, "error: cannot write the measures: %s", strerror(errno));
 }
 
-static int role_of(const char *name) {
-    for (int k = 0; k < TR_MOTION_COLUMNS; k++)
-        if (!strcmp(name, tr_motion_columns[k].name)) return k;
-    return strcmp(name, "case") ? IGNORED : CASE;
-}
-
-static const char *column_name(int role) {
-    return role == CASE ? "case" : tr_motion_columns[role].name;
-}
-
-static bool header_cell(reader *c, const char *text) {
-    if (c->cell == MAX_CELLS) return fail(c, c->line, "more than %d columns", MAX_CELLS);
-    int role = role_of(text);
-    for (int k = 0; k < c->cell && role != IGNORED; k++)
-        if (c->role[k] == role) return fail(c, c->line, "column %s is there twice", text);
-    c->role[c->cell] = role;
+static bool begin(void *context, tr_csv *csv) {
+    table *t = context;
+    (void)csv;
+    tr_measures_write_header(t->out);
     return true;
 }
 
-static bool end_header(reader *c) {
-    char missing[128] = "";
-    for (int role = TR_MOTION_COLUMNS; role >= 0; role--) { /* case first */
-        int which = role == CASE ? CASE : TR_MOTION_COLUMNS - 1 - role, k = 0;
-        while (k < c->cell && c->role[k] != which) k++;
-        size_t used = strlen(missing);
-        if (k == c->cell) snprintf(missing + used, sizeof missing - used, "%s%s", used ? "," : "", column_name(which));
-    }
-    if (*missing)
-        return fail(c, c->row_line, "no column %s in the header line (cells are separated by commas)", missing);
-    c->n_cells = c->cell;
-    tr_measures_write_header(c->out);
-    return true;
-}
-
-/* A decimal number, or inf where a wall may be: not all that strtod takes. */
-static bool number(const reader *c, int role, const char *text, double *to) {
-    const char *name = column_name(role);
-    char show[44], *end;
-    bool decimal = strspn(text, "0123456789+-.eE") == strlen(text);
-    if (!*text) return fail(c, c->line, "%s is empty", name);
-    *to = strtod(text, &end);
-    if (*end || end == text || (!decimal && !isinf(*to)))
-        return fail(c, c->line, "%s is \"%s\", which is not a number", name, shown(text, show));
-    if (role <= 1 && !(*to > 0))
-        return fail(c, c->line, "%s is %s: a radius is above 0%s", name, shown(text, show),
-                    role == 0 ? " (a wall has R1 = inf)" : "");
-    if (isinf(*to) && decimal) return fail(c, c->line, "%s is %s, which is too large", name, shown(text, show));
-    if (isinf(*to) && role == 1) return fail(c, c->line, "R2 is inf: only body 1 can be a wall");
-    if (isinf(*to) && role != 0) return fail(c, c->line, "%s is %s: it must be finite", name, shown(text, show));
-    return true;
-}
-
-static bool row_cell(reader *c, const char *text, size_t length) {
-    if (c->cell >= c->n_cells) return true; /* counted at the end of the row */
-    int role = c->role[c->cell];
-    if (role == IGNORED) return true;
-    if (role == CASE) {
-        if (length >= TR_CASE_LABEL) return fail(c, c->line, "case has more than %d bytes", TR_CASE_LABEL - 1);
-        memcpy(c->label[c->n], text, length + 1);
+static bool cell(void *context, tr_csv *csv, int column, const char *text, size_t length) {
+    table *t = context;
+    if (column == CASE) {
+        if (length >= TR_CASE_LABEL)
+            return tr_csv_fail(csv, csv->line, "case has more than %d bytes", TR_CASE_LABEL - 1);
+        memcpy(t->label[t->n], text, length + 1);
         return true;
     }
+    const tr_measures_column *to = &tr_motion_columns[column - 1];
+    bool radius = column == R1 || column == R2;
+    char show[TR_CSV_SHOWN];
     double v = 0;
-    if (!number(c, role, text, &v)) return false;
-    memcpy((char *)&c->motion[c->n] + tr_motion_columns[role].offset, &v, sizeof v);
+    if (!tr_csv_number(csv, to->name, text, radius, &v)) return false;
+    if (radius && !(v > 0))
+        return tr_csv_fail(csv, csv->line, "%s is %s: a radius is above 0%s", to->name, tr_csv_show(text, show),
+                           column == R1 ? " (a wall has R1 = inf)" : "");
+    if (isinf(v) && column == R2) return tr_csv_fail(csv, csv->line, "R2 is inf: only body 1 can be a wall");
+    memcpy((char *)&t->motion[t->n] + to->offset, &v, sizeof v);
     return true;
 }
 
@@ -286,87 +223,29 @@ static bool in_range(double length) {
 }
 static const char out_of_range[] = "only 1e-150 m to 1e150 m can be measured";
 
-static bool end_row(reader *c) {
-    if (c->cell != c->n_cells)
-        return fail(c, c->row_line, "%d cell%s, but the header line has %d", c->cell, c->cell == 1 ? "" : "s",
-                    c->n_cells);
-    const tr_motion *m = &c->motion[c->n];
+static bool row(void *context, tr_csv *csv) {
+    table *t = context;
+    const tr_motion *m = &t->motion[t->n];
+    long line = csv->row_line;
     double distance = hypot(m->x2x - m->x1x, m->x2y - m->x1y);
-    if (distance == 0) return fail(c, c->row_line, "x1 and x2 coincide: there is no line of centres");
-    if (!in_range(distance)) return fail(c, c->row_line, "x1 and x2 are %.3g m apart: %s", distance, out_of_range);
-    if (!in_range(m->R1) && !is_wall(m)) return fail(c, c->row_line, "R1 is %.3g m: %s", m->R1, out_of_range);
-    if (!in_range(m->R2)) return fail(c, c->row_line, "R2 is %.3g m: %s", m->R2, out_of_range);
-    c->lines[c->n++] = c->row_line;
-    return c->n < TR_TILE || flush(c);
-}
-
-/* libcsv calls these; it cannot be stopped, so after a failure they do nothing. Cells end with a zero byte. */
-static void on_cell(void *cell, size_t length, void *data) {
-    reader *c = data;
-    const char *text = cell;
-    if (c->st->code) return;
-    c->after_cr = false;
-    if (c->cell == 0) c->row_line = c->line;
-    if (memchr(text, '\0', length))
-        fail(c, c->line, "a zero byte: not a text file in UTF-8 or ASCII");
-    else if (!c->n_cells)
-        header_cell(c, text);
-    else
-        row_cell(c, text, length);
-    for (size_t i = 0; i < length; i++) c->line += text[i] == '\n'; /* in quotes */
-    c->cell++;
-}
-
-/* After each carriage return and line feed, and at the end of the file (-1). Rows without cells are blank lines. */
-static void on_line(int end, void *data) {
-    reader *c = data;
-    if (c->st->code) return;
-    if (c->cell > 0) (void)(c->n_cells ? end_row(c) : end_header(c));
-    c->cell = 0;
-    if (!(end == '\n' && c->after_cr)) c->line++;
-    c->after_cr = end == '\r';
-}
-
-static bool parse(reader *c, struct csv_parser *csv, const char *text, size_t length) {
-    if (csv_parse(csv, text, length, on_cell, on_line, c) < length && !c->st->code) {
-        if (csv_error(csv) != CSV_EPARSE) return tr_status_fail(c->st, TR_FILE, "error: out of memory");
-        return fail(c, c->line, "a quote within a cell (write \"\" for it, and quotes around the cell)");
-    }
-    if (!c->st->code && csv_get_buffer_size(csv) > MAX_CELL)
-        return fail(c, c->line, "a cell of more than %d bytes: is a quote not closed?", MAX_CELL);
-    return !c->st->code;
-}
-
-static bool read_all(reader *c, FILE *in, struct csv_parser *csv) {
-    static const char mark[] = "\xEF\xBB\xBF"; /* of UTF-8, as spreadsheets write it */
-    char *chunk = tr_alloc(CHUNK, 1, c->st);
-    bool ok = chunk, first = true;
-    for (size_t n; ok && (n = fread(chunk, 1, CHUNK, in)) > 0; first = false) {
-        size_t skip = first && n >= 3 && !memcmp(chunk, mark, 3) ? 3 : 0;
-        ok = parse(c, csv, chunk + skip, n - skip);
-    }
-    if (ok && ferror(in)) ok = tr_status_fail(c->st, TR_FILE, "error: cannot read %s: %s", c->path, strerror(errno));
-    free(chunk);
-    if (!ok) return false;
-    if (csv_fini(csv, on_cell, on_line, c) && !c->st->code) return fail(c, c->line, "a quote that is not closed");
-    if (c->st->code) return false;
-    if (!c->n_cells) return fail(c, 1, "the file is empty; its first line names the columns: case,R1,R2,x1x,...");
-    return flush(c);
+    if (distance == 0) return tr_csv_fail(csv, line, "x1 and x2 coincide: there is no line of centres");
+    if (!in_range(distance)) return tr_csv_fail(csv, line, "x1 and x2 are %.3g m apart: %s", distance, out_of_range);
+    if (!in_range(m->R1) && !is_wall(m)) return tr_csv_fail(csv, line, "R1 is %.3g m: %s", m->R1, out_of_range);
+    if (!in_range(m->R2)) return tr_csv_fail(csv, line, "R2 is %.3g m: %s", m->R2, out_of_range);
+    t->lines[t->n++] = line;
+    return t->n < TR_TILE || flush(t, csv);
 }
 
 bool tr_measures_csv(const char *path, FILE *out, tr_status *st) {
-    FILE *in = fopen(path, "r");
-    if (!in) return tr_status_fail(st, TR_FILE, "error: cannot read %s: %s", path, strerror(errno));
-    struct csv_parser csv;
-    reader *c = tr_alloc(1, sizeof *c, st);
-    bool ok = false;
-    if (c && csv_init(&csv, CSV_STRICT | CSV_STRICT_FINI | CSV_REPALL_NL | CSV_APPEND_NULL) == 0) {
-        c->path = path, c->out = out, c->st = st, c->line = 1;
-        ok = read_all(c, in, &csv);
-        csv_free(&csv);
-    }
-    free(c);
-    fclose(in);
+    const char *columns[COLUMNS] = {"case"};
+    for (int k = 0; k < TR_MOTION_COLUMNS; k++) columns[1 + k] = tr_motion_columns[k].name;
+    const tr_csv_format format = {columns, COLUMNS, COLUMNS, "case,R1,R2,x1x,...", begin, cell, row};
+    table *t = tr_alloc(1, sizeof *t, st);
+    if (!t) return false;
+    t->out = out;
+    tr_csv csv = {.path = path, .st = st};
+    bool ok = tr_csv_read(path, &format, t, st) && flush(t, &csv);
+    free(t);
     return ok;
 }
 

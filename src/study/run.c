@@ -32,7 +32,7 @@ bool tr_run_check(const tr_scene *scene, tr_status *st) {
     case TR_KIND_BODIES:
         return tr_run_check_bodies(scene, st);
     case TR_KIND_CONTACT:
-        return true;
+        return tr_run_check_contact(scene, st);
     }
     return false;
 }

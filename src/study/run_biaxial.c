@@ -42,7 +42,7 @@ static bool compact(test *t, tr_status *st) {
 
 /* Value of a law's parameter; 0 where the law has none of that name. */
 static double law_value(tr_slot *slot, const char *key) {
-    const double *value = tr_slot_value(slot->law, slot->par, key);
+    const double *value = tr_law_value(slot->law, slot->par, key);
     return value ? *value : 0;
 }
 

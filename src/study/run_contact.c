@@ -5,6 +5,7 @@
 #include "out/plot.h"
 #include "out/summary.h"
 #include "study/contact.h"
+#include "study/path.h"
 #include "study/run_internal.h"
 #include <math.h>
 #include <stdlib.h>
@@ -121,7 +122,7 @@ static bool finish(const drive *d, const tr_run_options *options, double started
     return ok;
 }
 
-bool tr_run_contact(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st) {
+static bool run(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st) {
     drive *d = tr_alloc(1, sizeof *d, st);
     if (!d) return false;
     d->scene = scene, d->total = tr_contact_steps(scene);
@@ -139,4 +140,27 @@ bool tr_run_contact(const tr_scene *scene, const tr_run_options *options, tr_run
     tr_contact_free(d->contact);
     free(d);
     return ok;
+}
+
+/* The scene with its path from the file, if it is in one; the path is the copy's own. */
+static bool with_path(const tr_scene *scene, tr_scene *played, tr_status *st) {
+    *played = *scene;
+    if (!scene->path_file || tr_path_read(played, st)) return true;
+    free(played->path);
+    return false;
+}
+
+bool tr_run_contact(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st) {
+    tr_scene played;
+    if (!with_path(scene, &played, st)) return false;
+    bool ok = run(&played, options, report, st);
+    if (scene->path_file) free(played.path);
+    return ok;
+}
+
+bool tr_run_check_contact(const tr_scene *scene, tr_status *st) {
+    tr_scene played;
+    if (!with_path(scene, &played, st)) return false;
+    if (scene->path_file) free(played.path);
+    return true;
 }

@@ -11,6 +11,7 @@
 bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st);
 bool tr_run_bodies(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st);
 bool tr_run_contact(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st);
+bool tr_run_check_contact(const tr_scene *scene, tr_status *st); /* reads the path of a file */
 bool tr_run_check_biaxial(const tr_scene *scene, tr_status *st);
 bool tr_run_check_bodies(const tr_scene *scene, tr_status *st);
 

@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: MIT */
+/* The path of a contact from a CSV file, as `path: FILE.csv` names it. Columns: u_slide_m, u_roll_m, since the start of
+ * the path, and the normal force P_N_per_m (spheres: P_N); time_s, since the start, if a law depends on the rate. Each
+ * row is the end of one step. The path starts at u = 0, time 0, under the force of the first row: so the contact.csv of
+ * a run with one law is a path, and gives the same run. */
+#ifndef TR_STUDY_PATH_H
+#define TR_STUDY_PATH_H
+
+#include "scene/scene.h"
+
+/* Fills scene->path with one segment for each row of scene->path_file. TR_BAD_CASE with "file:line: error: ...", also
+ * where a law cannot follow the path; TR_FILE. */
+bool tr_path_read(tr_scene *scene, tr_status *st);
+
+#endif
