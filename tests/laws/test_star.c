@@ -8,6 +8,7 @@
  *
  * then a disk on a turning one, which shows what is objective, and one squeezed between walls, with and without the
  * moment limiter. */
+#include "base/random.h"
 #include "core/ledger.h"
 #include "core/record.h"
 #include "core/worlds.h"
@@ -404,6 +405,41 @@ static void test_moment_limiter(void **state) {
     assert_true(spurious > 100 * w0 && spurious <= 3 * cap * dt / I * (1 + 1e-12));
 }
 
+/* 4 x 4 disks squeezed in a box, with spins so small that one step stops any of them. Each of a disk's four contacts
+ * stops it, so the step turns it back threefold until the caps bind: the compact spins by itself, at a rate set by the
+ * step. The limiter lets a contact take 8 % of the lesser spin at most, four of them 32 % of a disk's own. */
+static double compact_spin(bool limiter, int n, double w0) {
+    enum { SIDE = 4 };
+    const double squeeze = 0.01 * RADIUS, pitch = 2 * RADIUS - squeeze, side = SIDE * pitch;
+    tr_random r = tr_random_seed(8, 1);
+    tr_world w;
+    new_world(&w, SIDE * SIDE);
+    const tr_wall box[] = {{.nx = 1}, {.x = side, .nx = -1}, {.ny = 1}, {.y = side, .ny = -1}};
+    for (int k = 0; k < 4; k++) w.wall[k] = box[k];
+    w.n_walls = 4;
+    for (int i = 0; i < SIDE * SIDE; i++)
+        tr_world_set_disk(&w, i, pitch * (0.5 + i % SIDE), pitch * (0.5 + i / SIDE), 0, RADIUS, DENSITY, false);
+    set_star(&w, 0, (star){.name = CT, .mu_r = 0.1, .limiter = limiter}, 0);
+    w.dt = 0.1 / sqrt(3 * K / mass());
+    for (int i = 0; i < SIDE * SIDE; i++) w.disks.vel[4 * i + 2] = w0 * (tr_random_uniform(&r) - 0.5);
+    steps(&w, n);
+    double most = 0;
+    for (int i = 0; i < SIDE * SIDE; i++) most = fmax(most, fabs(w.disks.vel[4 * i + 2]));
+    tr_world_free(&w);
+    return most;
+}
+
+static void test_compact(void **state) {
+    (void)state;
+    double w0 = 1e-3, without = compact_spin(false, 2000, w0), with = compact_spin(true, 2000, w0);
+    double cap = 0.1 * RADIUS * K * 0.01 * RADIUS, dt = 0.1 / sqrt(3 * K / mass()); /* of a pair; at a wall twice it */
+    print_message("16 disks, started at %.0e rad/s: %.2g rad/s after 2000 steps without limiter, %.0e with\n", w0,
+                  without, with);
+    /* a limit cycle between +x and -x, x half of what four caps do in a step; at most four walls' caps */
+    assert_true(without >= 0.5 * 2 * cap * dt / inertia() && without <= 8 * cap * dt / inertia());
+    assert_true(with < 1e-3 * w0);
+}
+
 /* ---- records: an unbalanced law's mobilisation is that of its larger moment */
 
 static void test_record(void **state) {
@@ -435,6 +471,7 @@ int main(void) {
         cmocka_unit_test(test_displacement_damping_by_hand),
         cmocka_unit_test(test_on_a_turning_disk),
         cmocka_unit_test(test_moment_limiter),
+        cmocka_unit_test(test_compact),
         cmocka_unit_test(test_record),
     };
     return cmocka_run_group_tests_name("star", tests, NULL, NULL);

@@ -284,6 +284,57 @@ static void time_counts_where_it_must(void **state) {
     end(&slow);
 }
 
+/* Overlap in place of force, for each normal law: P and a by the closed forms, linear in the overlap; two laws on one path
+ * have forces of their own; a path that opens the contact leaves nothing, and begins anew. */
+static void overlaps(void **state) {
+    (void)state;
+    run r = drive("kind: contact\nbodies: {shape: sphere, R1: 10 mm, R2: 30 mm, E: 70 GPa, nu: 0.3}\n"
+                  "laws:\n"
+                  "  - {friction: coulomb-spring, mu: 100, k_t: 1 MN/m}\n"
+                  "  - {normal: linear, k_n: 2 MN/m, friction: coulomb-spring, mu: 100, k_t: 1 MN/m}\n"
+                  "path:\n"
+                  "  - {overlap: 2 um, slide: 1 um, steps: 10}\n"
+                  "  - {overlap: 5 um, slide: 1 um, steps: 10}\n"
+                  "  - {force: 12 N, slide: 1 um, steps: 10}\n"
+                  "  - {overlap: -1 um, steps: 4}\n"
+                  "  - {overlap: 3 um, slide: 4 um, steps: 4}\n");
+    const double R = 0.0075, E = 70e9 / (2 * 0.91);
+    for (int i = 0; i < r.n; i++) {
+        for (int l = 0; l < 2; l++) {
+            const tr_contact_state *s = &r.state[l][i];
+            double x = l ? 12 / 2e6 : pow(12 / (4.0 / 3 * E * sqrt(R)), 2.0 / 3), delta, Q; /* x: the overlap at 12 N */
+            if (i < 10)
+                delta = 2e-6;
+            else if (i < 20)
+                delta = 2e-6 + 3e-6 * (i - 9) / 10;
+            else if (i < 30)
+                delta = NAN;
+            else if (i < 34)
+                delta = x + (-1e-6 - x) * (i - 29) / 4;
+            else
+                delta = -1e-6 + 4e-6 * (i - 33) / 4;
+            double P = l ? 2e6 * delta : 4.0 / 3 * E * sqrt(R) * delta * sqrt(delta);
+            if (i >= 20 && i < 30) {
+                double at_5 = l ? 10 : 4.0 / 3 * E * sqrt(R) * 5e-6 * sqrt(5e-6);
+                P = at_5 + (12 - at_5) * (i - 19) / 10;
+                delta = l ? P / 2e6 : pow(P / (4.0 / 3 * E * sqrt(R)), 2.0 / 3);
+            }
+            if (!(delta > 0)) P = 0;
+            assert_close(s->overlap, delta, 1e-13, 1e-20);
+            assert_close(s->P, P, 1e-13, 1e-12);
+            assert_close(s->a, cbrt(3 * P * R / (4 * E)), 1e-13, 1e-18);
+            if (i < 30)
+                Q = 1e6 * 1e-7 * (i + 1);
+            else if (i < 34)
+                Q = delta > 0 ? 3 : 0;
+            else /* from the first step with a contact on */
+                Q = delta > 0 ? 1e6 * 1e-6 * (i - 33 - 1) : 0;
+            assert_close(s->Q, Q, 1e-12, 1e-12);
+        }
+    }
+    end(&r);
+}
+
 /* The largest numbers that a case may hold do not give NaN: a row, or an error that names the step. */
 static void extremes(void **state) {
     (void)state;
@@ -327,6 +378,7 @@ int main(void) {
         cmocka_unit_test(every_law_is_here),
         cmocka_unit_test(opening_forgets),
         cmocka_unit_test(time_counts_where_it_must),
+        cmocka_unit_test(overlaps),
         cmocka_unit_test(extremes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
