@@ -24,7 +24,7 @@ LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o)
 CLI_OBJ  := $(CLI_SRC:%=$(BUILD)/%.o)
 TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all biaxial test install asan lint format clean help packages-% build-all run-tests
+.PHONY: all biaxial figures test install asan lint format clean help packages-% build-all run-tests
 .SECONDARY:
 
 all: packages-build
@@ -36,6 +36,9 @@ biaxial: packages-build
 	@echo "curve:  out/biaxial/biaxial.svg and .png (needs gnuplot), numbers in out/biaxial/history.csv"
 	@echo "frames: out/biaxial/frames/*.png"
 	@echo "video:  out/biaxial/biaxial.mp4 (needs ffmpeg)"
+
+figures: packages-build
+	@$(MAKE) --no-print-directory build-all $(patsubst figures/%.sh,out/figures/%.png,$(wildcard figures/*.sh))
 
 test: packages-test
 	@$(MAKE) --no-print-directory run-tests
@@ -64,6 +67,7 @@ clean:
 help:
 	@echo 'make biaxial   install what is missing, build, run the biaxial test of cases/biaxial.yaml'
 	@echo 'make test      install what is missing, build, run all tests; last line: N passed, N failed'
+	@echo 'make figures   build, and draw figures/*.gp with their data into out/figures/ (needs gnuplot)'
 	@echo 'make           install what is missing, build ./trundle'
 	@echo 'make install   PREFIX=$(PREFIX) DESTDIR=$(DESTDIR): trundle and the cases'
 	@echo 'make asan      the tests under the address and undefined-behaviour sanitizers'
@@ -97,6 +101,15 @@ $(BUILD)/tests/%: $(BUILD)/tests/%.c.o $(BUILD)/libtrundle.a
 
 # This test counts allocations.
 $(BUILD)/tests/core/test_allocation: LDFLAGS += -Wl,--wrap=malloc,--wrap=aligned_alloc,--wrap=calloc,--wrap=realloc
+
+# A figure is figures/NAME.sh, which writes its data as CSV, and figures/NAME.gp, which draws them.
+out/figures/%.png: figures/%.sh figures/%.gp $(wildcard figures/*.yaml) $(TRUNDLE)
+	@mkdir -p $(@D)
+	$< ./$(TRUNDLE) >$(@:.png=.csv)
+	gnuplot -d -e 'csv = "$(@:.png=.csv)"; set output "$(@:.png=.svg)"' \
+	    -e 'set terminal svg size 900,720 font "DejaVu Sans,17" enhanced rounded background "#ffffff"' figures/$*.gp
+	gnuplot -d -e 'csv = "$(@:.png=.csv)"; set output "$@"' \
+	    -e 'set terminal pngcairo size 1350,1080 font "DejaVu Sans,20" enhanced rounded linewidth 1.5' figures/$*.gp
 
 run-tests: $(TRUNDLE) $(TESTS)
 	@tests/run $(TRUNDLE) $(TESTS)

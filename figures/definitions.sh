@@ -1,0 +1,66 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Each rolling velocity over Wang's pure motions, and the energy it makes in two closed cycles, against R2/R1. CSV.
+# usage: definitions.sh TRUNDLE
+#
+# Motions [Wang2015 eqs. 1-6] of touching disks: rolling or sliding at U = 1 mm/s, RBR at that speed; divided by U.
+# tordesillas is an angle: times half the smaller radius, which for equal disks is R1R2/(R1+R2).
+# Cycles: see definitions.yaml. Work of the contact on the disks, by the trapezoidal rule (exact for springs), of
+#   dW = M1 dth1 + M2 dth2 - f_r dslide,   dth1 = (dslide/2 - droll)/R1,   dth2 = (dslide/2 + droll)/R2
+# divided by k_r R_eff du dth1 where disk 2 slides and disk 1 spins, by k_r R1 dth1 du_roll where disk 1 spins and both
+# roll.
+set -eu
+export LC_ALL=C
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+case=${0%.sh}.yaml
+ratios=$(awk 'BEGIN {for (k = -10; k <= 10; k++) printf "%.17g\n", 10^(k/10)}')
+
+echo "$ratios" | awk '
+    BEGIN {print "case,R1,R2,x1x,x1y,x2x,x2y,v1x,v1y,v2x,v2y,w1,w2"}
+    {
+        R1 = 0.01; R2 = R1*$1; L = R1 + R2; U = 1e-3
+        move("RBR", U/L, U/L, U/L)
+        move("PR", 0, U/R1, -U/R2)
+        move("PR + RBR", -U/R1, 0, -U/R2 - U/R1)
+        move("PS", 0, U/L, U/L)
+        move("PS + RBR", -U/L, 0, 0)
+    }
+    function move(name, beta, w1, w2) {
+        printf "%s,%.17g,%.17g,0,0,%.17g,0,0,0,0,%.17g,%.17g,%.17g\n", name, R1, R2, L, beta*L, w1, w2
+    }' >"$work/motions.csv"
+"$1" measures "$work/motions.csv" >"$work/measures.csv"
+
+for ratio in $ratios; do
+    # Without a PATH the run finds no gnuplot, whose curves are not wanted here.
+    PATH='' "$1" run "$case" --set "bodies.R2=$ratio*bodies.R1" -o "$work/run" --force >"$work/said" 2>&1 || { cat "$work/said" >&2; exit 1; }
+    sed "1d; s/^/$ratio,/" "$work/run/contact.csv"
+done >"$work/cycles.csv"
+
+echo 'motion,definition,R2_over_R1,value'
+{
+    awk -F, '
+        NR == 1 {for (i = 1; i <= NF; i++) at[$i] = i; next}
+        {
+            R1 = $at["R1"]; R2 = $at["R2"]
+            say("wang", $at["Vr_wang"]); say("jiang", $at["Vr_jiang"]); say("bagi-kuhn", $at["Vr_bagi_kuhn"])
+            say("alonso-min", $at["Vr_alonso_min"]); say("alonso-mean", $at["Vr_alonso_mean"])
+            say("tordesillas", $at["Vr_tordesillas"]*(R1 < R2 ? R1 : R2)/2); say("kuhn", $at["Vroll_kuhn"])
+        }
+        function say(name, v) {printf "%s,%s,%.10g,%.10g\n", $1, name, R2/R1, v/1e-3}' "$work/measures.csv"
+    awk -F, '
+        BEGIN {split("wang,bagi-kuhn,alonso-min,alonso-mean,bagi-kuhn-conjugate", name, ","); R1 = 0.01; k_r = 1e6; u = 1e-6}
+        $3 == 1 {slide[$2] = roll[$2] = M1[$2] = M2[$2] = f[$2] = 0}
+        {
+            i = $2; R2 = $1*R1; dslide = $5 - slide[i]; droll = $6 - roll[i]
+            dth1 = (dslide/2 - droll)/R1; dth2 = (dslide/2 + droll)/R2
+            work[i] += (M1[i] + $11)/2*dth1 + (M2[i] + $12)/2*dth2 - (f[i] + $13)/2*dslide
+            slide[i] = $5; roll[i] = $6; M1[i] = $11; M2[i] = $12; f[i] = $13
+        }
+        $3 == 16 {say("slide and spin", R2/(R1 + R2))} # R_eff/R1
+        $3 == 32 {say("spin and roll", 1)}
+        function say(motion, lever) {
+            printf "%s,%s,%.10g,%.10g\n", motion, name[i + 1], $1, work[i]/(k_r*u*u*lever)
+            work[i] = 0
+        }' "$work/cycles.csv"
+} | sort -t, -k1,1 -k2,2 -k3,3g
