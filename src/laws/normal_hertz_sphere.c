@@ -4,8 +4,11 @@
  *   f_elastic = P = (4/3) E_star sqrt(R) delta^(3/2),   1/R = 1/R1 + 1/R2,   k = dP/ddelta = 2 E_star sqrt(R delta)
  *   f_n = max(0, P + c v_n),   c = 2 damping_ratio sqrt(k m_eff)
  *
- * c goes with delta^(1/4), which makes the restitution the same for every speed [Tsuji1992]. Contact radius a = sqrt(R
- * delta). delta <= 0: nothing. A contact ends, for the force, when f_n reaches 0 and not when delta does.
+ * c goes with delta^(1/4), which makes the restitution the same for every speed [Tsuji1992]: with s = delta^(5/4) for
+ * delta, the path v(s) of an impact is that of a linear spring and dashpot of damping ratio sin q = sqrt(6/5)
+ * damping_ratio, hence e = exp(-(pi - 2 q) tan q). Contact radius a = sqrt(R delta).
+ *
+ * delta <= 0: nothing. A contact ends, for the force, when f_n reaches 0 and not when delta does.
  */
 #include "base/vector.h"
 #include "laws/law.h"

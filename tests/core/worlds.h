@@ -58,9 +58,13 @@ static inline tr_scene_contact contact_of(test_laws p) {
     return c;
 }
 
-static inline void new_world(tr_world *world, int n) {
+static inline void new_world_of(tr_world *world, int n, tr_shape shape) {
     tr_status st = {0};
-    if (!tr_world_init(world, n, TR_SHAPE_DISK, &st)) fail_msg("%s", st.text);
+    if (!tr_world_init(world, n, shape, &st)) fail_msg("%s", st.text);
+}
+
+static inline void new_world(tr_world *world, int n) {
+    new_world_of(world, n, TR_SHAPE_DISK);
 }
 
 static inline void set_laws(tr_world *world, test_laws p, unsigned sinks) {
