@@ -13,7 +13,7 @@
 /* Soft modes of a frictionless packing are hardly damped by the dashpots; a weak drag against the frame ends them, and
  * halves the steps of compaction. Small enough that the drag on a row of moving disks stays well below the pressure.
  * Off in the shear. */
-static const double DRAG = 0.005; /* of sqrt(k_n / mean mass) */
+static const double DRAG = 0.005; /* of sqrt(stiffness under the pressure / mean mass) */
 
 /* Lengths of the walls, and what pushes the pistons, follow the box. */
 static void fit_walls(tr_biaxial *b, double horizontal, double lateral) {
@@ -46,6 +46,12 @@ static double closing_steps(const tr_biaxial *b) {
 
 static const double MOST_STEPS = 2e7; /* of compaction: minutes for 400 disks */
 
+double tr_biaxial_stiffness(const tr_biaxial *b, double pressure) {
+    const tr_slot *normal = &b->world.group[0].slot[TR_NORMAL];
+    double R = b->mean_radius, delta = normal->law->overlap(normal->par, R, R, 2 * R * pressure);
+    return normal->law->elastic(normal->par, R, R, delta).stiffness;
+}
+
 bool tr_biaxial_init(tr_biaxial *b, const tr_scene *scene, tr_status *st) {
     double side, radius_sum = 0, mass = 0;
     int n = scene->sample.disks;
@@ -60,10 +66,10 @@ bool tr_biaxial_init(tr_biaxial *b, const tr_scene *scene, tr_status *st) {
     if (!tr_sample_throw(&b->world, &scene->sample, scene->seed, &side, st)) return tr_biaxial_free(b), false;
     b->disk_area = tr_measures_disk_area(&b->world.disks);
     for (int i = 0; i < n; i++) mass += b->world.disks.mass[i], radius_sum += b->world.disks.pos[4 * (size_t)i + 3];
-    b->mean_mass = mass / n;
+    b->mean_mass = mass / n, b->mean_radius = radius_sum / n;
 
     /* side of the dense sample, for the mass of a row of disks and for the speed that an inertial number means */
-    double dense = sqrt(b->disk_area * 1.2), row = b->mean_mass * fmax(1, dense / (2 * radius_sum / n));
+    double dense = sqrt(b->disk_area * 1.2), row = b->mean_mass * fmax(1, dense / (2 * b->mean_radius));
     double v_max = 0.5 * dense * scene->compaction.inertial_number * sqrt(scene->compaction.pressure / b->mean_mass);
     tr_wall walls[4] = {{.ny = 1}, {.y = side, .ny = -1}, {.nx = 1}, {.x = side, .nx = -1}};
     for (int w = 0; w < 4; w++) {
@@ -77,18 +83,15 @@ bool tr_biaxial_init(tr_biaxial *b, const tr_scene *scene, tr_status *st) {
               tr_timestep_choose(&b->world, &scene->step, 0, &b->dt_bound, st) &&
               tr_world_set_laws(&b->world, &laws, true, 0, st);
     if (!ok) return tr_biaxial_free(b), false;
-    const tr_slot *normal = &b->world.group[0].slot[TR_NORMAL];
-    double R = radius_sum / n, load = 2 * R * scene->compaction.pressure;
-    double delta = normal->law->overlap(normal->par, R, R, load);
     if (closing_steps(b) > MOST_STEPS) {
         tr_status_fail(
             st, TR_BAD_CASE,
             "error: compaction would take about %.1g steps, more than %.0g; give a larger compaction.pressure or "
-            "compaction.inertial_number, or a smaller contact.k_n",
+            "compaction.inertial_number, or softer contacts",
             closing_steps(b), MOST_STEPS);
         return tr_biaxial_free(b), false;
     }
-    b->drag = DRAG * sqrt(normal->law->elastic(normal->par, R, R, delta).stiffness / b->mean_mass);
+    b->drag = DRAG * sqrt(tr_biaxial_stiffness(b, scene->compaction.pressure) / b->mean_mass);
     return true;
 }
 

@@ -23,6 +23,7 @@ typedef struct tr_biaxial {
     tr_world world; /* do not move: see tr_world */
     const tr_scene *scene;
     double mean_mass;                 /* [kg/m] the m of the inertial number */
+    double mean_radius;               /* [m] */
     double disk_area;                 /* [m^2] */
     double dt_bound;                  /* [s] what dt is a share of */
     double drag;                      /* of the compaction: force = -drag * mass * velocity [1/s] */
@@ -63,5 +64,8 @@ void tr_biaxial_shape(const tr_biaxial *b, tr_biaxial_state *state);
 
 /* After tr_biaxial_forces: all of it, and a new interval for the averages begins. */
 tr_biaxial_state tr_biaxial_read(tr_biaxial *b);
+
+/* Elastic normal stiffness of a contact of two mean disks that carries the force 2 R pressure [Pa]. */
+double tr_biaxial_stiffness(const tr_biaxial *b, double pressure);
 
 #endif

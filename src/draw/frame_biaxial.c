@@ -148,8 +148,8 @@ static void draw_color_bar(cairo_t *cr, const tr_view *view, double range, doubl
     }
 }
 
-static void draw_width_key(cairo_t *cr, double mean, double width, double y) {
-    tr_unit unit = tr_frame_unit(mean, "N/m");
+static void draw_width_key(cairo_t *cr, tr_shape shape, double mean, double width, double y) {
+    tr_unit unit = tr_frame_unit(mean, shape == TR_SHAPE_SPHERE ? "N" : "N/m");
     char number[32], label[64];
     tr_frame_number(number, sizeof number, mean, &unit, false);
     snprintf(label, sizeof label, "force  f_n = %s %s", number, unit.name);
@@ -170,5 +170,5 @@ void tr_draw_biaxial(tr_canvas *canvas, const tr_view *view) {
     bool forces = mean > 0 && isfinite(mean);
     if (forces) draw_contacts(cr, view, &map, range, mean);
     draw_walls(cr, view, &map);
-    if (forces) draw_width_key(cr, mean, mean_width(view, &map), y - 52);
+    if (forces) draw_width_key(cr, view->world->shape, mean, mean_width(view, &map), y - 52);
 }

@@ -60,7 +60,7 @@ static const char contact_script[] =
     "    set grid linecolor '#d0d0d0'\n"
     "    set key bottom right box linecolor '#d0d0d0' opaque width 1 height 0.3 noenhanced\n"
     "    set xlabel 'sliding u_{slide} (µm)'\n"
-    "    set ylabel 'friction Q (N/m)'\n"
+    "    set ylabel 'friction Q ('.force.')'\n"
     "    plot for [i = 1:laws] 'contact.csv' skip 1 every laws::i - 1 using (1e6*$4):7 with lines linewidth 2.5 \\\n"
     "        linecolor rgb colors[1 + (i - 1)%7] dashtype 1 + (i - 1)/7 title label[i]\n"
     "    unset key\n"
@@ -71,7 +71,7 @@ static const char contact_script[] =
     "        linewidth 2.5 linecolor rgb colors[1 + (i - 1)%7] dashtype 1 + (i - 1)/7\n"
     "    set yrange [*:*]\n"
     "    set xlabel 'rolling u_{roll} (µm)'\n"
-    "    set ylabel 'moment on body 1 (N)'\n"
+    "    set ylabel 'moment on body 1 ('.moment.')'\n"
     "    if (rolling) {\n"
     "        plot for [i = 1:laws] 'contact.csv' skip 1 every laws::i - 1 using (1e6*$5):10 with lines linewidth 2.5 "
     "\\\n"
@@ -149,10 +149,13 @@ bool tr_plot_biaxial(const char *dir, const char *caption, double strain_end, in
     return tr_file_commit(&file, st) && draw(dir, "biaxial", code, st);
 }
 
-bool tr_plot_contact(const char *dir, const char *const *label, int n_laws, bool rolling, int *code, tr_status *st) {
+bool tr_plot_contact(const char *dir, const char *const *label, int n_laws, bool rolling, tr_shape shape, int *code,
+                     tr_status *st) {
     tr_file file;
     if (!tr_file_open(&file, dir, "plot.gp", st)) return false;
-    fprintf(file.stream, "laws = %d\nrolling = %d\narray label[laws]\n", n_laws, rolling);
+    bool sphere = shape == TR_SHAPE_SPHERE;
+    fprintf(file.stream, "laws = %d\nrolling = %d\nforce = '%s'\nmoment = '%s'\narray label[laws]\n", n_laws, rolling,
+            sphere ? "N" : "N/m", sphere ? "N m" : "N");
     for (int i = 0; i < n_laws; i++) fprintf(file.stream, "label[%d] = '%s'\n", i + 1, label[i]);
     fputs(contact_script, file.stream);
     return tr_file_commit(&file, st) && draw(dir, "contact", code, st);

@@ -4,6 +4,7 @@
 #ifndef TR_PLOT_H
 #define TR_PLOT_H
 
+#include "base/param.h"
 #include "base/status.h"
 #include <stdbool.h>
 
@@ -14,7 +15,8 @@ bool tr_plot_available(void); /* is gnuplot on the PATH? */
 bool tr_plot_biaxial(const char *dir, const char *caption, double strain_end, int *code, tr_status *st);
 
 /* The same for a contact along a path. label[i]: what law i of the table is called in the legend; rolling: some law has
- * moments, which get a panel of their own. */
-bool tr_plot_contact(const char *dir, const char *const *label, int n_laws, bool rolling, int *code, tr_status *st);
+ * moments, which get a panel of their own; shape: of the bodies, for the units. */
+bool tr_plot_contact(const char *dir, const char *const *label, int n_laws, bool rolling, tr_shape shape, int *code,
+                     tr_status *st);
 
 #endif

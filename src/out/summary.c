@@ -35,13 +35,18 @@ static json_t *begin(const tr_scene *scene, const char *kind) {
     json_t *o = json_object();
     json_object_set_new(o, "version", json_string(TR_VERSION));
     json_object_set_new(o, "kind", json_string(kind));
-    if (scene->kind == TR_KIND_CONTACT) return o; /* nothing there is random */
     if (scene->kind != TR_KIND_BIAXIAL) return o; /* nothing random */
     char seed[24]; /* JSON text has no limit, but jansson's integers are signed: the upper half as a string */
     snprintf(seed, sizeof seed, "%llu", (unsigned long long)scene->seed);
     bool fits = scene->seed <= INT64_MAX;
     json_object_set_new(o, "seed", fits ? json_integer((json_int_t)scene->seed) : json_string(seed));
     return o;
+}
+
+/* key: "of disks|of spheres". */
+static void add_by_shape(json_t *object, tr_shape shape, const char *key, double value) {
+    char part[TR_BY_SHAPE];
+    add(object, tr_param_by_shape(key, shape, part), value);
 }
 
 /* The passes that ran, and what the scene did not need and so was not built. */
@@ -82,10 +87,6 @@ static char *finish(json_t *o, const tr_timing *timing, tr_status *st) {
 char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, double unbalanced, const tr_strength *s,
                          double mean_stress_2, const tr_energy *energy, const tr_timing *timing, tr_status *st) {
     json_t *o = begin(scene, "biaxial");
-    double k_n = b->world.group[0]
-                     .slot[TR_NORMAL]
-                     .law->stiffness(b->world.group[0].slot[TR_NORMAL].par, &(tr_pair_bodies){1, 1, 1, 1, 0})
-                     .k;
     json_object_set_new(o, "n_disks", json_integer(scene->sample.disks));
     add(o, "e0", e0);
     add(o, "unbalanced_after_compaction", unbalanced);
@@ -99,13 +100,13 @@ char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, 
     add(o, "q_over_p_residual", 2 * s->sin_phi_residual);
     add(o, "residual_from_strain", s->residual_from);
     add(o, "strain_end", scene->shear.strain_end);
-    add(o, "mean_stress_2_Pa", mean_stress_2);
+    add_by_shape(o, scene->shape, "mean_stress_2_Pa|mean_stress_2_N_per_m", mean_stress_2);
     add(o, "inertial_number", scene->shear.inertial_number);
-    add(o, "stiffness_ratio", k_n / scene->shear.lateral_pressure);
-    add(o, "mean_mass_kg_per_m", b->mean_mass);
+    add(o, "stiffness_ratio", tr_biaxial_stiffness(b, scene->shear.lateral_pressure) / scene->shear.lateral_pressure);
+    add_by_shape(o, scene->shape, "mean_mass_kg_per_m|mean_mass_kg", b->mean_mass);
     add(o, "strain_rate_per_s", b->rate);
     json_object_set_new(o, "servo", json_string("piston: M dv/dt = pressure*length - force"));
-    add(o, "servo_mass_kg_per_m", b->world.wall[TR_LEFT_WALL].mass);
+    add_by_shape(o, scene->shape, "servo_mass_kg_per_m|servo_mass_kg", b->world.wall[TR_LEFT_WALL].mass);
     json_object_set_new(o, "start_of_shear", json_string("velocities after compaction, contact histories zero"));
     add(o, "dt_s", b->world.dt);
     add(o, "dt_bound_s", b->dt_bound);
@@ -115,8 +116,8 @@ char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, 
     json_object_set_new(o, "pair_searches", json_integer(b->world.searches));
     json_object_set_new(o, "list_refreshes", json_integer(b->world.refreshes));
     if (energy) {
-        add(o, "energy_work_J_per_m", energy->work);
-        add(o, "energy_residual_J_per_m", energy->residual);
+        add_by_shape(o, scene->shape, "energy_work_J_per_m|energy_work_J", energy->work);
+        add_by_shape(o, scene->shape, "energy_residual_J_per_m|energy_residual_J", energy->residual);
         add(o, "energy_residual_over_work", energy->residual / energy->work);
     }
     add_pipeline(o, &b->world);
@@ -148,12 +149,12 @@ char *tr_summary_contact(const tr_scene *scene, int64_t steps, const tr_path_res
         json_object_set_new(l, "friction", json_string(r->friction));
         json_object_set_new(l, "rolling", json_string(r->rolling));
         if (r->rolling_velocity) json_object_set_new(l, "rolling_velocity", json_string(r->rolling_velocity));
-        add(l, "Q_end_N_per_m", r->Q_end);
+        add_by_shape(l, scene->shape, "Q_end_N_per_m|Q_end_N", r->Q_end);
         add(l, "q_end", r->q_end);
-        add(l, "Q_max_N_per_m", r->Q_max);
-        add(l, "moment_1_end_N", r->moment_1_end);
-        add(l, "moment_2_end_N", r->moment_2_end);
-        add(l, "moment_max_N", r->moment_max);
+        add_by_shape(l, scene->shape, "Q_max_N_per_m|Q_max_N", r->Q_max);
+        add_by_shape(l, scene->shape, "moment_1_end_N|moment_1_end_N_m", r->moment_1_end);
+        add_by_shape(l, scene->shape, "moment_2_end_N|moment_2_end_N_m", r->moment_2_end);
+        add_by_shape(l, scene->shape, "moment_max_N|moment_max_N_m", r->moment_max);
         json_array_append_new(laws, l);
     }
     json_object_set_new(o, "laws", laws);

@@ -6,10 +6,12 @@
 
 void tr_row_add(tr_row *row, double value, const char *name_format, ...) {
     tr_cell *cell = &row->cell[row->n++];
+    char name[TR_BY_SHAPE], part[TR_BY_SHAPE];
     va_list args;
     va_start(args, name_format);
-    vsnprintf(cell->name, sizeof cell->name, name_format, args);
+    vsnprintf(name, sizeof name, name_format, args);
     va_end(args);
+    snprintf(cell->name, sizeof cell->name, "%s", tr_param_by_shape(name, row->shape, part));
     cell->value = value;
 }
 
@@ -37,8 +39,8 @@ bool tr_row_write_exact(const tr_row *row, tr_file *file, tr_status *st) {
 void tr_row_biaxial(tr_row *row, const tr_biaxial_state *s, const tr_measures *m, const tr_energy *e) {
     row->n = 0;
     tr_row_add(row, s->strain, "strain");
-    tr_row_add(row, s->stress_1, "stress_1_Pa");
-    tr_row_add(row, s->stress_2, "stress_2_Pa");
+    tr_row_add(row, s->stress_1, "stress_1_Pa|stress_1_N_per_m");
+    tr_row_add(row, s->stress_2, "stress_2_Pa|stress_2_N_per_m");
     tr_row_add(row, s->sin_phi, "sin_phi");
     tr_row_add(row, s->void_ratio, "void_ratio");
     tr_row_add(row, m->n_contacts, "n_contacts");
@@ -49,21 +51,21 @@ void tr_row_biaxial(tr_row *row, const tr_biaxial_state *s, const tr_measures *m
     tr_row_add(row, tan(asin(s->sin_phi)), "tan_phi");
     tr_row_add(row, 2 * s->sin_phi, "q_over_p"); /* q = s1 - s2, p = (s1 + s2)/2 */
     tr_row_add(row, m->unbalanced, "unbalanced");
-    tr_row_add(row, m->mean_f_n, "mean_f_n_N_per_m");
+    tr_row_add(row, m->mean_f_n, "mean_f_n_N_per_m|mean_f_n_N");
     tr_row_add(row, m->largest_overlap, "largest_overlap");
     tr_row_add(row, s->time, "time_s");
     tr_row_add(row, s->height, "height_m");
     tr_row_add(row, s->width, "width_m");
     if (!e) return;
-    tr_row_add(row, e->work, "work_J_per_m");
-    tr_row_add(row, e->kinetic, "kinetic_J_per_m");
-    tr_row_add(row, e->elastic_normal, "elastic_normal_J_per_m");
-    tr_row_add(row, e->elastic_friction, "elastic_friction_J_per_m");
-    tr_row_add(row, e->elastic_rolling, "elastic_rolling_J_per_m");
-    tr_row_add(row, e->damped, "damped_J_per_m");
-    tr_row_add(row, e->friction, "friction_J_per_m");
-    tr_row_add(row, e->rolling, "rolling_J_per_m");
-    tr_row_add(row, e->residual, "residual_J_per_m");
+    tr_row_add(row, e->work, "work_J_per_m|work_J");
+    tr_row_add(row, e->kinetic, "kinetic_J_per_m|kinetic_J");
+    tr_row_add(row, e->elastic_normal, "elastic_normal_J_per_m|elastic_normal_J");
+    tr_row_add(row, e->elastic_friction, "elastic_friction_J_per_m|elastic_friction_J");
+    tr_row_add(row, e->elastic_rolling, "elastic_rolling_J_per_m|elastic_rolling_J");
+    tr_row_add(row, e->damped, "damped_J_per_m|damped_J");
+    tr_row_add(row, e->friction, "friction_J_per_m|friction_J");
+    tr_row_add(row, e->rolling, "rolling_J_per_m|rolling_J");
+    tr_row_add(row, e->residual, "residual_J_per_m|residual_J");
 }
 
 void tr_row_contact(tr_row *row, double time, double strain, const tr_record *c) {
@@ -77,11 +79,11 @@ void tr_row_contact(tr_row *row, double time, double strain, const tr_record *c)
     tr_row_add(row, c->nx, "nx");
     tr_row_add(row, c->ny, "ny");
     tr_row_add(row, c->delta, "overlap_m");
-    tr_row_add(row, c->f_n, "f_n_N_per_m");
-    tr_row_add(row, c->f_t, "f_t_N_per_m");
-    tr_row_add(row, c->f_r, "f_r_N_per_m"); /* along t, of a rolling law */
-    tr_row_add(row, c->m1, "moment_a_N");
-    tr_row_add(row, c->m2, "moment_b_N");
+    tr_row_add(row, c->f_n, "f_n_N_per_m|f_n_N");
+    tr_row_add(row, c->f_t, "f_t_N_per_m|f_t_N");
+    tr_row_add(row, c->f_r, "f_r_N_per_m|f_r_N"); /* along t, of a rolling law */
+    tr_row_add(row, c->m1, "moment_a_N|moment_a_N_m");
+    tr_row_add(row, c->m2, "moment_b_N|moment_b_N_m");
     tr_row_add(row, c->v_s, "v_s_m_per_s");
     tr_row_add(row, c->v_r, "v_r_m_per_s");
     tr_row_add(row, c->mobilisation, "mobilisation");

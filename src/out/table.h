@@ -17,10 +17,12 @@ typedef struct tr_cell {
 enum { TR_MAX_CELLS = 64 };
 
 typedef struct tr_row {
+    tr_shape shape; /* of the bodies: chooses the units in the names */
     int n;
     tr_cell cell[TR_MAX_CELLS];
 } tr_row;
 
+/* name_format: see tr_param_by_shape. */
 void tr_row_add(tr_row *row, double value, const char *name_format, ...) __attribute__((format(printf, 3, 4)));
 
 /* Writes the names, if the file is empty: a table without rows has a header too. */

@@ -149,7 +149,7 @@ bool tr_outputs_row(tr_outputs *o, const tr_row *row, tr_status *st) {
 }
 
 bool tr_outputs_contacts(tr_outputs *o, double time, double strain, int n_records, tr_status *st) {
-    tr_row row;
+    tr_row row = {.shape = o->scene->shape};
     o->instants++;
     tr_row_contact(&row, time, strain, &(tr_record){0});
     tr_row_header(&row, &o->contacts);

@@ -89,7 +89,7 @@ static bool frame(test *t, int n_records, const tr_measures *m, tr_status *st) {
 }
 
 static bool row(test *t, const tr_measures *m, tr_status *st) {
-    tr_row cells;
+    tr_row cells = {.shape = t->scene->shape};
     bool energy = t->b.world.ledger != NULL;
     if (energy) t->energy = tr_ledger_read(&t->b.world);
     t->series.strain[t->series.n] = t->state.strain;
@@ -141,8 +141,8 @@ static void report(test *t, const tr_strength *s, const tr_timing *timing) {
     tr_run_say(r, "sin phi, residual", "%.3f (mean over %.3g-%.3g %% strain)", s->sin_phi_residual,
                100 * s->residual_from, 100 * t->scene->shear.strain_end);
     tr_run_say(r, "void ratio, residual", "%.4f", s->e_residual);
-    tr_run_say(r, "lateral stress", "%.4g Pa, asked %.4g", t->stress_2_sum / t->stress_2_n,
-               t->scene->shear.lateral_pressure);
+    tr_run_say(r, "lateral stress", "%.4g %s, asked %.4g", t->stress_2_sum / t->stress_2_n,
+               t->scene->shape == TR_SHAPE_SPHERE ? "N/m" : "Pa", t->scene->shear.lateral_pressure);
     if (t->b.world.ledger) tr_run_say(r, "energy residual/work", "%.1e", t->energy.residual / t->energy.work);
     tr_run_say(r, "time step", "%.3g s, bound %.3g s", t->b.world.dt, t->b.dt_bound);
     tr_run_say(r, "steps", "%lld compaction, %lld shear", (long long)t->b.shear_start, (long long)t->b.shear_steps);
@@ -156,7 +156,7 @@ static bool summarise(test *t, double started, double stepping, tr_status *st) {
     const tr_scene *scene = t->scene;
     snprintf(caption, sizeof caption, "%d disks, seed %llu, I = %g, stiffness ratio %g, %s, rolling velocity %s",
              scene->sample.disks, (unsigned long long)scene->seed, scene->shear.inertial_number,
-             law_value(&t->b.world.group[0].slot[TR_NORMAL], "k_n") / scene->shear.lateral_pressure,
+             tr_biaxial_stiffness(&t->b, scene->shear.lateral_pressure) / scene->shear.lateral_pressure,
              t->b.world.group[0].slot[TR_ROLLING].law->table.name,
              tr_rolling_velocities[scene->contact.rolling_velocity].name);
     if (!tr_plot_available())

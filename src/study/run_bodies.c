@@ -34,7 +34,7 @@ static void widen_view(show *s, int n_records) {
 }
 
 static bool write_row(show *s, tr_status *st) {
-    tr_row row;
+    tr_row row = {.shape = s->scene->shape};
     for (int i = 0; i < s->b.world.disks.n; i++) {
         tr_row_disk(&row, time_of(s), &s->b.world, i);
         if (!tr_row_write(&row, &s->out.history, st)) return false;

@@ -40,19 +40,19 @@ static void keep_result(tr_path_result *r, const tr_contact_state *s) {
 }
 
 static bool write_state(drive *d, const tr_contact_state *s, tr_status *st) {
-    tr_row row = {0};
+    tr_row row = {.shape = d->scene->shape};
     tr_row_add(&row, s->law, "law");
     tr_row_add(&row, (double)s->step, "step");
     tr_row_add(&row, s->segment, "segment");
     tr_row_add(&row, s->u_slide, "u_slide_m");
     tr_row_add(&row, s->u_roll, "u_roll_m");
-    tr_row_add(&row, s->P, "P_N_per_m");
-    tr_row_add(&row, s->Q, "Q_N_per_m");
+    tr_row_add(&row, s->P, "P_N_per_m|P_N");
+    tr_row_add(&row, s->Q, "Q_N_per_m|Q_N");
     tr_row_add(&row, s->q, "q");
     tr_row_add(&row, s->a, "a_m");
-    tr_row_add(&row, s->moment_1, "moment_1_N");
-    tr_row_add(&row, s->moment_2, "moment_2_N");
-    tr_row_add(&row, s->f_r, "f_r_N_per_m");
+    tr_row_add(&row, s->moment_1, "moment_1_N|moment_1_N_m");
+    tr_row_add(&row, s->moment_2, "moment_2_N|moment_2_N_m");
+    tr_row_add(&row, s->f_r, "f_r_N_per_m|f_r_N");
     tr_row_add(&row, s->overlap, "overlap_m");
     return tr_row_write_exact(&row, &d->table, st);
 }
@@ -98,19 +98,22 @@ static bool plot(const drive *d, const tr_run_options *options, tr_run_report *r
         label[i] = text[i];
     }
     int code = 0;
-    if (!tr_plot_contact(options->dir, label, d->scene->n_laws, d->rolling, &code, st)) return false;
+    if (!tr_plot_contact(options->dir, label, d->scene->n_laws, d->rolling, d->scene->shape, &code, st)) return false;
     if (code) tr_run_note(report, "no curves: gnuplot failed (%d) on plot.gp; run it there to see why", code);
     return true;
 }
 
 static void report_contact(const drive *d, tr_run_report *r) {
+    bool sphere = d->scene->shape == TR_SHAPE_SPHERE;
     tr_run_say(r, "segments, steps", "%d, %lld", d->scene->n_segments, (long long)d->total);
     tr_run_say(r, "E_star, R_star", "%.6g Pa, %.6g m", d->scene->pair.E_star, d->scene->pair.R_star);
     for (int i = 0; i < d->scene->n_laws && i < 16; i++) {
         char label[24];
         snprintf(label, sizeof label, "laws.%d", i);
-        tr_run_say(r, label, "%s, %s: at the end Q = %.6g N/m, moment_1 = %.6g N", d->result[i].friction,
-                   d->result[i].rolling, d->result[i].Q_end, d->result[i].moment_1_end);
+        tr_run_say(r, label,
+                   sphere ? "%s, %s: at the end Q = %.6g N, moment_1 = %.6g N m"
+                          : "%s, %s: at the end Q = %.6g N/m, moment_1 = %.6g N",
+                   d->result[i].friction, d->result[i].rolling, d->result[i].Q_end, d->result[i].moment_1_end);
     }
 }
 

@@ -23,12 +23,17 @@ static double strength(double R) { /* K */
 }
 
 /* laws but for the normal one. */
-static void set_hertz(tr_world *w, const char *normal, test_laws laws, unsigned sinks) {
+static tr_scene_contact hertz(const char *normal, test_laws laws) {
     const tr_param_catalog *catalog = tr_laws_catalog();
     tr_scene_contact c = contact_of(laws);
     c.normal = law_named(tr_laws_normal, catalog->n_normal, normal);
     set_parameter(&c.normal, catalog->normal[c.normal.law], "E_star", E_STAR);
     set_parameter(&c.normal, catalog->normal[c.normal.law], "damping_ratio", laws.damping_ratio);
+    return c;
+}
+
+static void set_hertz(tr_world *w, const char *normal, test_laws laws, unsigned sinks) {
+    tr_scene_contact c = hertz(normal, laws);
     tr_status st = {0};
     if (!tr_world_set_laws(w, &c, false, sinks, &st)) fail_msg("%s", st.text);
 }
@@ -380,12 +385,35 @@ static void test_expected_overlap(void **state) {
     tr_world_free(&w);
 }
 
+/* What a biaxial test calls its stiffness: dP/ddelta of two mean spheres under the force 2 R pressure. */
+static void test_stiffness_of_a_sample(void **state) {
+    (void)state;
+    tr_scene scene = biaxial_scene(50, 1, sand);
+    scene.shape = TR_SHAPE_SPHERE, scene.contact = hertz("hertz-sphere", sand);
+    scene.compaction.pressure = 100;
+    tr_biaxial b;
+    tr_status st = {0};
+    if (!tr_biaxial_init(&b, &scene, &st)) fail_msg("%s", st.text);
+    double R = 0, m = 0;
+    for (int i = 0; i < 50; i++) R += b.world.disks.pos[4 * i + 3] / 50;
+    for (int i = 0; i < 50; i++) m += mass(b.world.disks.pos[4 * i + 3]) * 2.7 / 50;
+    double P = 2 * R * 300, k = 1.5 * cbrt(P) * pow(strength(R / 2), 2.0 / 3); /* P = K x^3, x = sqrt(delta) */
+    assert_close(tr_biaxial_stiffness(&b, 300), k, 1e-13, 0);
+    assert_close(b.mean_mass, m, 1e-13, 0);
+    tr_biaxial_free(&b);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_impact),       cmocka_unit_test(test_restitution),
-        cmocka_unit_test(test_slip_to_roll), cmocka_unit_test(test_inertia),
-        cmocka_unit_test(test_cluster),      cmocka_unit_test(test_bound_on_the_step),
-        cmocka_unit_test(test_frequency),    cmocka_unit_test(test_expected_overlap),
+        cmocka_unit_test(test_impact),
+        cmocka_unit_test(test_restitution),
+        cmocka_unit_test(test_slip_to_roll),
+        cmocka_unit_test(test_inertia),
+        cmocka_unit_test(test_cluster),
+        cmocka_unit_test(test_bound_on_the_step),
+        cmocka_unit_test(test_frequency),
+        cmocka_unit_test(test_expected_overlap),
+        cmocka_unit_test(test_stiffness_of_a_sample),
     };
     return cmocka_run_group_tests_name("spheres", tests, NULL, NULL);
 }
