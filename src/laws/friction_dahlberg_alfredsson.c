@@ -8,27 +8,31 @@
  * du_disp = Vs dt, P = f_n, a from the P of now. du_roll: Kuhn's mean flow of material (s1 + s2)/2 dt, or V_r dt of
  * Wang.
  *
- * One step is backward Euler in closed form. With M = mu P, A = Q + k_t du_disp and C = k_t F0 |du_roll| the unknown is
- * |Q| = M w (2 - w), w = 1 - sqrt(1 - q) in [0, 1], of the sign of A:
+ * step: backward-euler, the default, in closed form. With M = mu P, A = Q + k_t du_disp and C = k_t F0 |du_roll| the
+ * unknown is |Q| = M w (2 - w), w = 1 - sqrt(1 - q) in [0, 1], of the sign of A:
  *
  *   M w (2 - w) + C w = |A|   =>   w = 2 |A|/(2 M + C + sqrt(C^2 + 4 M (M + C - |A|)))   while |A| < M + C, else w = 1
  *
  * Inside the cap and stable for any step. Q of the step before enters as it was, even above the cap of now: the step
  * does the only capping.
  *
+ * step: exact, the solution of the differential equation over the step (dahlberg_exact.c), whatever its length: what the
+ * other is measured against. Logarithms and an iteration, so for kind: contact only.
+ *
  * differs: eq. 11 as printed has no signs (wrong where Q < 0 or rolling turns back) and is 0/0 at du_disp = 0.
  *
- * History: Q [N/m]. du_roll = 0: coulomb-spring, bit for bit. P -> 0: a = 0 and Q = 0. Wall: R = R2, material rolls with
- * (Vt - R2 w)/2. Energy Q^2/2 k_t; creep dissipates |Q| F |du_roll|.
+ * History: Q [N/m]. du_roll = 0: coulomb-spring, bit for bit (exact: while |Q| <= mu P of now). P -> 0: a = 0 and Q = 0.
+ * Wall: R = R2, material rolls with (Vt - R2 w)/2. Energy Q^2/2 k_t; creep dissipates |Q| F |du_roll|.
  */
 #include "base/vector.h"
+#include "laws/dahlberg_exact.h"
 #include "laws/law.h"
 
 #include <math.h>
 
 typedef struct par {
     double mu, k_t, E_star;
-    int creep_roll;
+    int creep_roll, step;
 } par;
 
 static const tr_param params[] = {
@@ -39,19 +43,31 @@ static const tr_param params[] = {
      "contact modulus, 1/E_star = sum of (1 - nu^2)/E of the two; sets the contact width"},
     {"creep_roll", TR_CHOICE, TR_DIM_NUMBER, "", "kuhn", 0, 0, "kuhn|wang", offsetof(par, creep_roll),
      "rolling that creeps: kuhn (s1 + s2)/2, the mean flow of material; wang R1R2/(R1+R2) (w1 - w2)"},
+    {"step", TR_CHOICE, TR_DIM_NUMBER, "", "backward-euler", 0, 0, "backward-euler|exact", offsetof(par, step),
+     "how a step is solved: backward-euler, of first order; exact, for kind: contact only"},
 };
 
-TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict data) {
-    const par *p = data->par;
+/* C of a tile, less what differs from contact to contact. */
+typedef struct creep {
+    double factor; /* C = factor sqrt(P/R) |v_roll| */
+    double wang;   /* v_roll has s2 with the weight 1/2 for kuhn, g1 for wang */
+} creep;
+
+static creep creep_of(const par *p, double dt) {
+    return (creep){p->mu * (p->k_t * dt) * sqrt(4 / (M_PI * p->E_star)), p->creep_roll ? 1 : 0};
+}
+
+static inline double creep_at(creep c, const tr_tile *tile, int i) {
+    double weight = 0.5 + c.wang * (tile->g1[i] - 0.5);
+    double v_roll = (1 - weight) * tile->s1[i] + weight * tile->s2[i];
+    return c.factor * sqrt(tile->f_n[i] / (tile->g1[i] * tile->R2[i])) * fabs(v_roll);
+}
+
+TR_VECTOR static void backward_euler(tr_tile *restrict tile, const par *restrict p, double *restrict Q) {
     const double mu = p->mu, k_dt = p->k_t * tile->dt;
-    const double creep = mu * k_dt * sqrt(4 / (M_PI * p->E_star)); /* C = creep sqrt(P/R) |v_roll| */
-    const double wang = p->creep_roll ? 1 : 0;                     /* weight of s2: 1/2 for kuhn, g1 for wang */
-    const double *restrict R2 = tile->R2, *restrict g1 = tile->g1;
-    double *restrict Q = data->hist[0] + tile->first;
+    const creep c = creep_of(p, tile->dt);
     for (int i = 0; i < tile->n; i++) {
-        double P = tile->f_n[i], M = mu * P, weight = 0.5 + wang * (g1[i] - 0.5);
-        double v_roll = (1 - weight) * tile->s1[i] + weight * tile->s2[i];
-        double C = creep * sqrt(P / (g1[i] * R2[i])) * fabs(v_roll);
+        double M = mu * tile->f_n[i], C = creep_at(c, tile, i);
         double A = Q[i] + k_dt * tile->v_s[i], room = M + C - fabs(A);
         double inside = room > 0 ? room : 0, below = 2 * M + C + sqrt(C * C + 4 * M * inside);
         double w = 2 * fabs(A) / (below > 0 ? below : 1), partial = C > 0 ? M * (w * (2 - w)) : fabs(A);
@@ -60,6 +76,18 @@ TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict d
         Q[i] = size;
         tile->f_t[i] = size;
     }
+}
+
+static void exact(tr_tile *tile, const par *p, double *Q) {
+    const creep c = creep_of(p, tile->dt);
+    for (int i = 0; i < tile->n; i++)
+        tile->f_t[i] = Q[i] =
+            tr_dahlberg_exact(Q[i], p->mu * tile->f_n[i], p->k_t * tile->dt * tile->v_s[i], creep_at(c, tile, i));
+}
+
+static void step(tr_tile *tile, const tr_law_data *data) {
+    const par *p = data->par;
+    (p->step ? exact : backward_euler)(tile, p, data->hist[0] + tile->first);
 }
 
 static void state(const tr_tile *tile, const tr_law_data *data, double *energy, double *bound) {
@@ -78,11 +106,11 @@ static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *bodies) {
 
 const tr_law tr_friction_dahlberg_alfredsson = {
     .table = {"dahlberg-alfredsson", "capped spring that creeps while the bodies roll", params,
-              .n = sizeof params / sizeof *params, .demands = TR_ONLY_DISKS},
+              .n = sizeof params / sizeof *params, .demands = TR_ONLY_DISKS, .driver_choice = "exact"},
     .source = "[Dahlberg2009] [Kuhn2014 eq. 11] [Carter1926]",
     .formula = "dQ = k_t (Vs dt - sgn(Q) F(|Q|/(mu P)) |du_roll|), |Q| <= mu P, P = f_n\n"
                "F(q) = (mu a/R) (1 - sqrt(1 - q)), a = sqrt(4 P R/(pi E_star)), 1/R = 1/R1 + 1/R2\n"
-               "one step is backward Euler in closed form",
+               "step: backward-euler in closed form, or the exact solution at constant P and rates",
     .differs = "Eq. 11 is printed without signs (wrong where Q < 0 or rolling turns back) and is 0/0 where nothing "
                "slides.",
     .claims = TR_RATE_INDEPENDENT | TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
