@@ -14,6 +14,7 @@
 #define FRICTION_LAWS(X)                                                                                               \
     X(friction_coulomb_spring)                                                                                         \
     X(friction_dahlberg_alfredsson)                                                                                    \
+    X(friction_cattaneo_mindlin)                                                                                       \
     X(friction_none)
 
 #define ROLLING_LAWS(X)                                                                                                \
