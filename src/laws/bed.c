@@ -8,7 +8,8 @@
 static const double NOTHING = 1e-12;
 
 static void push(tr_bed *b, double s, double e, double P) {
-    b->s[b->n] = s, b->e[b->n] = e, b->P[b->n] = P;
+    b->s[b->n] = s, b->P[b->n] = P;
+    b->e[b->n] = e + 0.0; /* no -0, which would not outlive e += 0 */
     b->n++;
 }
 
@@ -55,7 +56,7 @@ double tr_bed_force(tr_bed *b) {
 /* No slope exceeds that of the caps, mu kappa: what slips is all the bed from some s on, up to delta, in one sense. There e
  * becomes the cap, one line to (delta, 0). Values on a cap are always computed as that here, so that e on it is not
  * above it the next time. */
-double tr_bed_advance(tr_bed *b, double delta, double P, double du) {
+static void move(tr_bed *b, double delta, double P, double du) {
     for (int k = 0; k < b->n; k++) b->e[k] += du;
     if (!b->n) push(b, 0, du, 0);
     double s = 0, e = 0; /* the first point that left or slips */
@@ -78,8 +79,18 @@ double tr_bed_advance(tr_bed *b, double delta, double P, double du) {
         if (fabs(b->e[k]) > most) b->e[k] = copysign(most, b->e[k]);
     }
     push(b, delta, 0, P);
+}
+
+double tr_bed_advance(tr_bed *b, double delta, double P, double du) {
+    move(b, delta, P, du);
     thin(b);
     return tr_bed_force(b);
+}
+
+double tr_bed_trial(const tr_bed *b, double delta, double P, double du) {
+    tr_bed copy = *b;
+    move(&copy, delta, P, du);
+    return tr_bed_force(&copy);
 }
 
 static tr_bed load(const tr_tile *tile, const tr_law_data *data, int i) {

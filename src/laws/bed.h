@@ -26,7 +26,7 @@
  * store may rise as well as fall, by half of e times that change. On a path of 600 such steps, sliding to and fro six
  * times, hertz-line, hertz-sphere and a quadratic P:
  *
- *   points   largest error of Q/(mu P)     of the store, in a step [mu P mu kappa delta]
+ *   points   largest error of Q/(mu P)     largest gain of the store in a step, of mu P mu kappa delta
  *   8        0.003, 0.009, 0.03            4e-6
  *   16       0.0009, 0.005, 0.006          3e-6
  *   32       0.0001, 0.0006, 0.001         1e-6
@@ -38,11 +38,8 @@
 
 #include "laws/law.h"
 
-enum {
-    TR_BED_POINTS = 16,
-    TR_BED_HIST =
-        2 + 2 * TR_BED_POINTS, /* number of points, count of those that did not fit, then s and e of each [m] */
-};
+/* History: number of points, count of those that did not fit, then s and e of each [m]. */
+enum { TR_BED_POINTS = 16, TR_BED_HIST = 2 + 2 * TR_BED_POINTS };
 
 /* The parameters of a law on the bed begin with these. */
 typedef struct tr_bed_par {
@@ -69,6 +66,9 @@ double tr_bed_force(tr_bed *bed);
 
 /* One step to the overlap delta > 0, where the elastic force is P, with the tangential displacement du; returns Q. */
 double tr_bed_advance(tr_bed *bed, double delta, double P, double du);
+
+/* The same of a copy. */
+double tr_bed_trial(const tr_bed *bed, double delta, double P, double du);
 
 /* The displacement that reaches the bed of contact i in this step: of sliding, less what rolling takes away. */
 typedef double tr_bed_displacement(tr_bed *bed, const tr_tile *tile, const tr_law_data *data, int i);

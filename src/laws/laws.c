@@ -15,6 +15,8 @@
     X(friction_coulomb_spring)                                                                                         \
     X(friction_dahlberg_alfredsson)                                                                                    \
     X(friction_cattaneo_mindlin)                                                                                       \
+    X(friction_kuhn_creep)                                                                                             \
+    X(friction_vu_quoc_zhang)                                                                                          \
     X(friction_none)
 
 #define ROLLING_LAWS(X)                                                                                                \

@@ -216,7 +216,10 @@ static void own_contact_modulus(void **state) {
     "  - {friction: coulomb-spring, mu: 0.3, k_t: 1 GPa, rolling: bagi-kuhn-conjugate, mu_r: 0.1, k_r: k_t}\n"         \
     "  - {rolling: star-force-proportional}\n"                                                                         \
     "  - {friction: coulomb-spring, mu: 0, k_t: 1 GPa, rolling: star-constant-torque}\n"                               \
-    "  - {rolling: star-displacement-damping, damping: yes}\n"
+    "  - {rolling: star-displacement-damping, damping: yes}\n"                                                         \
+    "  - {friction: cattaneo-mindlin, mu: 0.3, rolling: wang-spring, mu_r: 0.1, k_r: 1 GPa}\n"                         \
+    "  - {friction: kuhn-creep, mu: 0.3, rolling: wang-spring, mu_r: 0.1, k_r: 1 GPa}\n"                               \
+    "  - {friction: vu-quoc-zhang, mu: 0.3, rolling: wang-spring, mu_r: 0.1, k_r: 1 GPa}\n"
 #define HEAVY "kind: contact\nbodies: {R1: 10 mm, R2: 30 mm, E: 70 GPa, nu: 0.3, density: 2700}\n"
 
 /* The registry is in the list above, so that a new law is not forgotten here. */

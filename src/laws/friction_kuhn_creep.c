@@ -1,0 +1,120 @@
+/* SPDX-License-Identifier: MIT */
+/* Friction of an elastic contact that rolling relaxes [Kuhn2014 eq. 16]: the bed of sliders moves by the sliding less the
+ * creep of steady rolling at the force of now.
+ *
+ *   dQ = C^-1(du_disp - sgn(Q) F(|Q|/(mu P)) |du_roll|),   C^-1: cattaneo-mindlin, see bed.h
+ *   spheres [Kalker1967]:  F(q) = F0 (1 - (1 - q)^(1/3)),   F0 = 4 mu a/((1 - nu) C11 R),   a = cbrt(3 P R/(4 E*))
+ *   disks   [Carter1926]:  F(q) = F0 (1 - (1 - q)^(1/2)),   F0 = mu a/R,                    a = sqrt(4 P R/(pi E*))
+ *
+ * 1/R = 1/R1 + 1/R2, C11 linear between Kalker's 3.40, 4.12, 5.20 at nu = 0, 0.25, 0.5. du_roll: Kuhn's mean flow of
+ * material (s1 + s2)/2 dt, or V_r dt of Wang.
+ *
+ * A step looks for its end Q = J(x), J(x) the force of the bed after a step by x:
+ *
+ *   x = du_disp - ((1 - theta) sgn(Q_n) F_n + theta sgn(Q) F) |du_roll|
+ *   theta = 1/(1 - e^-z) - 1/z,   z = (dQ/dx) (dF/dQ) |du_roll| at the begin
+ *
+ * Q_n and F_n are those at the end of the step before, with the P of then; dQ/dx = P'/kappa of now, the greatest. theta
+ * -> 1/2 for short steps, of second order, and -> 1 for long ones, backward Euler [Liniger1970]. (1 - theta) z < 1 and F
+ * is convex, so that the explicit part cannot turn Q over at constant P; where it would because P falls, theta = 1. Where
+ * full slip ends, F falls like a root of the time: theta = 1, and the order from there on is 1 + 1/p, p as below.
+ *
+ * The unknown is w = 1 - (1 - q)^(1/p), p = 3 or 2, in which creep is linear: mu P (1 - (1 - w)^p) - |J(x(w))| grows with
+ * w, and a bracket closes on its one root.
+ *
+ * du_roll = 0: cattaneo-mindlin, bit for bit. P -> 0: a = 0, Q = 0. Wall: R = R2, material rolls with (Vt - R2 w)/2.
+ */
+#include "laws/creep.h"
+
+#include <stdbool.h>
+
+static const tr_param params[] = {TR_CREEP_PARAMS(tr_creep_par)};
+
+static double C11(double nu) {
+    return nu < 0.25 ? 3.40 + (4.12 - 3.40) * nu / 0.25 : 4.12 + (5.20 - 4.12) * (nu - 0.25) / 0.25;
+}
+
+/* F(1). */
+static double greatest_creep(const tr_creep_par *p, tr_shape shape, double R1, double R2, double P) {
+    double R = tr_law_R_star(R1, R2), slope = p->bed.mu * tr_creep_width(shape, P, R, p->E_star) / R;
+    return shape == TR_SHAPE_SPHERE ? 4 / ((1 - p->bed.nu) * C11(p->bed.nu)) * slope : slope;
+}
+
+/* The bed before the step, and the displacement x0 - side creep w of a trial. */
+typedef struct trial {
+    const tr_bed *bed;
+    double delta, P, x0, side, creep, most; /* most: mu P */
+    bool sphere;
+} trial;
+
+static double pushed(const trial *t, double x) {
+    return tr_bed_trial(t->bed, t->delta, t->P, x);
+}
+
+static double excess(const trial *t, double w) {
+    double q = t->sphere ? w * (3 - w * (3 - w)) : w * (2 - w);
+    return t->most * q - t->side * pushed(t, t->x0 - t->side * t->creep * w);
+}
+
+/* The root of excess in [0, 1]; fa = excess(0) <= 0. False position; an end that stays twice counts half (Illinois). */
+static double root(const trial *t, double fa) {
+    double a = 0, b = 1, fb = excess(t, b);
+    if (fb <= 0) return 1; /* full slip */
+    for (int n = 0, kept = 0; n < 60 && fa < 0; n++) {
+        double w = a + (b - a) * (fa / (fa - fb)), f = excess(t, w);
+        if (fabs(f) <= 1e-16 * t->most || w <= a || w >= b) return w;
+        if (f < 0) {
+            a = w, fa = f;
+            if (kept > 0) fb *= 0.5;
+            kept = 1;
+        } else {
+            b = w, fb = f;
+            if (kept < 0) fa *= 0.5;
+            kept = -1;
+        }
+    }
+    return a;
+}
+
+static double displacement(tr_bed *bed, const tr_tile *tile, const tr_law_data *data, int i) {
+    const tr_creep_par *p = data->par;
+    double slide = tile->v_s[i] * tile->dt, roll = tr_creep_roll(p, tile, i), P = tile->f_elastic[i];
+    if (!(roll > 0)) return slide;
+    bool sphere = data->shape == TR_SHAPE_SPHERE;
+    double power = sphere ? 3 : 2, before = tr_bed_force(bed), P_before = bed->n ? bed->P[bed->n - 1] : P;
+    double most_before = p->bed.mu * P_before;
+    double creep_before = greatest_creep(p, data->shape, bed->R1, bed->R2, P_before) * roll;
+    if (!(creep_before > 0 && most_before > 0)) return slide;
+    double w = -expm1(log1p(-fabs(before) / most_before) / power);
+    double k = data->normal->elastic(data->normal_par, bed->R1, bed->R2, tile->delta[i]).stiffness / bed->kappa;
+    double z = k / most_before * (creep_before / (power * pow(1 - w, power - 1)));
+    double theta = z > 1e-3 ? -1 / expm1(-z) - 1 / z : 0.5 + z / 12; /* the next term is z^3/720 */
+    trial t = {.bed = bed, .delta = tile->delta[i], .P = P, .most = p->bed.mu * P, .sphere = sphere};
+    t.x0 = slide - copysign((1 - theta) * creep_before * w, before);
+    double without = pushed(&t, slide), first = pushed(&t, t.x0);
+    if (first * without < 0) theta = 1, t.x0 = slide, first = without;
+    t.side = first < 0 ? -1 : 1;
+    t.creep = theta * greatest_creep(p, data->shape, bed->R1, bed->R2, P) * roll;
+    return t.x0 - t.side * t.creep * root(&t, -fabs(first));
+}
+
+static void step(tr_tile *tile, const tr_law_data *data) {
+    tr_bed_step(tile, data, displacement);
+}
+
+const tr_law tr_friction_kuhn_creep = {
+    .table = {"kuhn-creep", "cattaneo-mindlin that creeps while the bodies roll", params,
+              .n = sizeof params / sizeof *params},
+    .source = "[Kuhn2014 eq. 16] [Kalker1967] [Carter1926]",
+    .formula = "dQ = C^-1(Vs dt - sgn(Q) F(|Q|/(mu P)) |du_roll|), C^-1: cattaneo-mindlin\n"
+               "spheres: F(q) = 4 mu a/((1 - nu) C11 R) (1 - (1 - q)^(1/3)), a = cbrt(3 P R/(4 E_star))\n"
+               "disks: F(q) = (mu a/R) (1 - sqrt(1 - q)), a = sqrt(4 P R/(pi E_star)), 1/R = 1/R1 + 1/R2\n"
+               "C11 linear between 3.40, 4.12, 5.20 at nu = 0, 0.25, 0.5; steps of second order",
+    .differs = "Eqs. 10, 16 and 17 are printed for equal spheres, 1/R = 2/R1. Disks creep by Carter's function.",
+    .claims = TR_RATE_INDEPENDENT | TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
+    .n_hist = TR_BED_HIST,
+    .merged = 2,
+    .step = step,
+    .state = tr_bed_state,
+    .stiffness = tr_bed_stiffness,
+};
