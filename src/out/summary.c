@@ -155,6 +155,7 @@ char *tr_summary_contact(const tr_scene *scene, int64_t steps, const tr_path_res
         add_by_shape(l, scene->shape, "moment_1_end_N|moment_1_end_N_m", r->moment_1_end);
         add_by_shape(l, scene->shape, "moment_2_end_N|moment_2_end_N_m", r->moment_2_end);
         add_by_shape(l, scene->shape, "moment_max_N|moment_max_N_m", r->moment_max);
+        json_object_set_new(l, "history_merged", json_integer(r->merged));
         json_array_append_new(laws, l);
     }
     json_object_set_new(o, "laws", laws);

@@ -34,6 +34,7 @@ static void name_laws(drive *d) {
 
 static void keep_result(tr_path_result *r, const tr_contact_state *s) {
     r->Q_end = s->Q, r->q_end = s->q;
+    r->merged = s->merged > r->merged ? s->merged : r->merged; /* an opening forgets the count too */
     r->moment_1_end = s->moment_1, r->moment_2_end = s->moment_2;
     r->Q_max = fmax(r->Q_max, fabs(s->Q));
     r->moment_max = fmax(r->moment_max, fmax(fabs(s->moment_1), fabs(s->moment_2)));
