@@ -86,6 +86,7 @@ typedef struct tr_param_table {
     const tr_param *params;
     int n;
     unsigned demands;          /* tr_demands */
+    const char *demands_if;    /* TR_NEEDS_* hold only with this TR_SWITCH on; NULL: always */
     const char *driver_choice; /* a choice of one of the parameters that only kind: contact has; NULL: none */
 } tr_param_table;
 

@@ -84,7 +84,7 @@ static void show(const char *slot, const tr_law *law) {
     if (law->differs) paragraph("differs from the print", law->differs);
     unsigned only = law->table.demands & (TR_ONLY_DISKS | TR_ONLY_SPHERES);
     printf("  for\n    %s\n", only == TR_ONLY_DISKS ? "disks" : only ? "spheres" : "disks and spheres");
-    if (law->table.n) printf("  parameters (under contact:)\n");
+    if (law->table.n) printf("  parameters (under contact:, or in an item of laws:)\n");
     for (int i = 0; i < law->table.n; i++) print_param(&law->table.params[i]);
     print_claims(law->claims);
 }

@@ -48,7 +48,7 @@ typedef struct tr_bed_par {
 
 #define TR_BED_PARAMS(par)                                                                                             \
     {"mu", TR_REAL, TR_DIM_NUMBER, "1", NULL, 0, 100, NULL, offsetof(par, bed.mu), "friction coefficient"}, {          \
-        "nu", TR_REAL, TR_DIM_NUMBER, "1", "0.3", 0, 0.5, NULL, offsetof(par, bed.nu),                                 \
+        "nu", TR_REAL, TR_DIM_NUMBER, "1", "0.3", -0.999, 0.5, NULL, offsetof(par, bed.nu),                            \
             "Poisson's ratio, for spheres only"                                                                        \
     }
 

@@ -6,7 +6,7 @@
  *   spheres [Kalker1967]:  F(q) = F0 (1 - (1 - q)^(1/3)),   F0 = 4 mu a/((1 - nu) C11 R),   a = cbrt(3 P R/(4 E*))
  *   disks   [Carter1926]:  F(q) = F0 (1 - (1 - q)^(1/2)),   F0 = mu a/R,                    a = sqrt(4 P R/(pi E*))
  *
- * 1/R = 1/R1 + 1/R2, C11 linear between Kalker's 3.40, 4.12, 5.20 at nu = 0, 0.25, 0.5. du_roll: Kuhn's mean flow of
+ * 1/R = 1/R1 + 1/R2, C11 linear between Kalker's 3.40, 4.12, 5.20 at nu = 0, 0.25, 0.5, and on below 0. du_roll: Kuhn's mean flow of
  * material (s1 + s2)/2 dt, or V_r dt of Wang.
  *
  * A step looks for its end Q = J(x), J(x) the force of the bed after a step by x:

@@ -8,7 +8,7 @@
  * u is the accumulated effective displacement: the sum of du', as far as there was no full slip. That is the strain e(0)
  * of the bed and needs no memory of its own. Steady rolling at the creepage xi = du_disp/du_roll settles at u = (pi/2) xi
  * a. Rolling alone brings u to 0, but Q a little beyond, by Masing's rule to f(u) - 2 f(u/2), f the virgin curve: then the
- * store grows without work. A step takes du_disp and |du_roll| as going on evenly, at the P of its end:
+ * store grows a little without work, out of what it lost before; no closed cycle gains (tests/laws/test_claims.c). A step takes du_disp and |du_roll| as going on evenly, at the P of its end:
  *
  *   du' = (du_disp/c - u) (1 - e^-c),   c = (2/pi) |du_roll|/a
  *

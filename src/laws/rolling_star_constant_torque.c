@@ -39,11 +39,13 @@ static const tr_param params[] = {
      "share of the moment that stops the lesser rotation in one step"},
 };
 
-/* 1/I of both [1/(kg m)]; 0 at a wall. */
+/* 1/I of both [1/(kg m)]; 0 at a wall. Held bodies are not stopped by anything: as if they were endlessly heavy, and what
+ * friction does to their spins (share 0) is nothing. */
 static void pair(const void *par_, const tr_pair_bodies *bodies, double *constants) {
     (void)par_;
-    constants[0] = bodies->R1 > 0 ? 1 / bodies->I1 : 0;
-    constants[1] = 1 / bodies->I2;
+    constants[0] = bodies->held ? 1e-200 : bodies->R1 > 0 ? 1 / bodies->I1 : 0;
+    constants[1] = bodies->held ? 1e-200 : 1 / bodies->I2;
+    constants[2] = bodies->held ? 0 : 1;
 }
 
 TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict data) {
@@ -53,10 +55,11 @@ TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict d
     const double limited = p->limiter ? p->limiter_factor * per_dt : 0, unlimited = p->limiter && dt > 0 ? 0 : huge;
     const double *restrict R2 = tile->R2, *restrict g1 = tile->g1;
     const double *restrict J1 = data->pair[0] + tile->first, *restrict J2 = data->pair[1] + tile->first;
+    const double *restrict share = data->pair[2] + tile->first;
     double *restrict M = data->hist[0] + tile->first;
     for (int i = 0; i < tile->n; i++) {
         double w1 = tile->w1[i], w2 = tile->w2[i], cap = strength * tile->f_n[i] * (g1[i] * R2[i]);
-        double turn = w1 - w2 - dt * (tile->r1[i] * J1[i] - tile->r2[i] * J2[i]) * tile->f_t[i];
+        double turn = w1 - w2 - share[i] * dt * (tile->r1[i] * J1[i] - tile->r2[i] * J2[i]) * tile->f_t[i];
         double L1 = J1[i] > 0 ? fabs(w1) / J1[i] : huge, L2 = fabs(w2) / J2[i], lesser = L1 < L2 ? L1 : L2;
         double limit = limited * lesser + unlimited, trial = keep * M[i] - per_dt * turn / (J1[i] + J2[i]);
         cap = cap < limit ? cap : limit;
@@ -82,7 +85,7 @@ static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *bodies) {
 
 const tr_law tr_rolling_star_constant_torque = {
     .table = {"star-constant-torque", "moment mu_r R_eq f_n against the relative spin", params,
-              .n = sizeof params / sizeof *params, .demands = TR_NEEDS_TIME | TR_NEEDS_DENSITY},
+              .n = sizeof params / sizeof *params},
     .source = "[STARCCM eq. 3276]",
     .formula =
         "M1 = -mu_r R_eq f_n w_rel/|w_rel|, M2 = -M1, w_rel = w1 - w2; at w_rel = 0 what stops it within the step\n"
@@ -93,7 +96,7 @@ const tr_law tr_rolling_star_constant_torque = {
         "and with it the law is neither rate-independent nor objective.",
     .claims = TR_RATE_INDEPENDENT | TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
     .n_hist = 1,
-    .n_pair = 2,
+    .n_pair = 3,
     .pair = pair,
     .step = step,
     .state = state,

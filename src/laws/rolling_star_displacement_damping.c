@@ -43,10 +43,10 @@ static const tr_param params[] = {
      "share of the viscous moment that stays while the spring is at its bound"},
 };
 
-/* I_r [kg m] about the contact point. */
+/* I_r [kg m] about the contact point; 0 where no mass is given, for a law without dashpot. */
 static double inertia(const tr_pair_bodies *b) {
     double two = b->I2 + b->m2 * b->R2 * b->R2, one = b->I1 + b->m1 * b->R1 * b->R1;
-    return b->R1 > 0 ? one * two / (one + two) : two;
+    return b->R1 > 0 && one > 0 ? one * two / (one + two) : two;
 }
 
 static void pair(const void *par_, const tr_pair_bodies *bodies, double *constants) {
@@ -92,7 +92,8 @@ static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *bodies) {
 
 const tr_law tr_rolling_star_displacement_damping = {
     .table = {"star-displacement-damping", "torsional spring to mu_r R_eq f_n, stiffness following f_n, and dashpot",
-              params, .n = sizeof params / sizeof *params, .demands = TR_NEEDS_TIME | TR_NEEDS_DENSITY},
+              params, .n = sizeof params / sizeof *params, .demands = TR_NEEDS_TIME | TR_NEEDS_DENSITY,
+              .demands_if = "damping"},
     .source = "[STARCCM eqs. 3277-3278]",
     .formula = "M_k <- M_k - k_r w_rel dt, |M_k| <= k_r theta_max, k_r = mu_r R_eq f_n/theta_max, w_rel = w1 - w2\n"
                "M_d = -damping_factor C w_rel (damping_multiplier times that at the bound), C = 2 sqrt(I_r k_r)\n"

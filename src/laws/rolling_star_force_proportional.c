@@ -30,22 +30,25 @@ static const tr_param params[] = {
      "coefficient of rolling resistance"},
 };
 
-/* Inertias [kg m]; the wall's is not used. */
+/* Inertias [kg m]; the wall's is not used. Held bodies are not stopped by anything: as if they were endlessly heavy, and
+ * what friction does to their spins (share 0) is nothing. */
 static void pair(const void *par_, const tr_pair_bodies *bodies, double *constants) {
     (void)par_;
-    constants[0] = bodies->R1 > 0 ? bodies->I1 : 0;
-    constants[1] = bodies->I2;
+    constants[0] = bodies->held ? 1e200 : bodies->R1 > 0 ? bodies->I1 : 0;
+    constants[1] = bodies->held ? 1e200 : bodies->I2;
+    constants[2] = bodies->held ? 0 : 1;
 }
 
 TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict data) {
     const par *p = data->par;
     const double mu_r = p->mu_r, dt = tile->dt, per_dt = dt > 0 ? 1 / dt : 0, keep = dt > 0 ? 0 : 1;
     const double *restrict I1 = data->pair[0] + tile->first, *restrict I2 = data->pair[1] + tile->first;
+    const double *restrict share = data->pair[2] + tile->first;
     double *restrict M1 = data->hist[0] + tile->first, *restrict M2 = data->hist[1] + tile->first;
     for (int i = 0; i < tile->n; i++) {
         double r1 = tile->r1[i], r2 = tile->r2[i], cap1 = mu_r * tile->f_n[i] * r1, cap2 = mu_r * tile->f_n[i] * r2;
-        double a = keep * M1[i] - per_dt * (I1[i] * tile->w1[i] - dt * (r1 * tile->f_t[i]));
-        double b = keep * M2[i] - per_dt * (I2[i] * tile->w2[i] - dt * (r2 * tile->f_t[i]));
+        double a = keep * M1[i] - per_dt * (I1[i] * tile->w1[i] - share[i] * dt * (r1 * tile->f_t[i]));
+        double b = keep * M2[i] - per_dt * (I2[i] * tile->w2[i] - share[i] * dt * (r2 * tile->f_t[i]));
         a = a > cap1 ? cap1 : a;
         a = a < -cap1 ? -cap1 : a;
         b = b > cap2 ? cap2 : b;
@@ -70,14 +73,14 @@ static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *bodies) {
 
 const tr_law tr_rolling_star_force_proportional = {
     .table = {"star-force-proportional", "moment mu_r f_n times the arm, against each body's own spin", params,
-              .n = sizeof params / sizeof *params, .demands = TR_NEEDS_TIME | TR_NEEDS_DENSITY},
+              .n = sizeof params / sizeof *params},
     .source = "[STARCCM eq. 3275]",
     .formula = "M_p = -mu_r f_n |r_c| w_p/|w_p| on each body p, |r_c| its arm to the contact point\n"
                "at w_p = 0 what stops the spin within the step",
     .differs = "Eq. 3275 is printed without the minus. Neither objective nor balanced, as documented by its source.",
     .claims = TR_RATE_INDEPENDENT | TR_ENERGY_CLOSED,
     .n_hist = 2,
-    .n_pair = 2,
+    .n_pair = 3,
     .pair = pair,
     .step = step,
     .state = state,

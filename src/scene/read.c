@@ -253,10 +253,21 @@ static const tr_scope *scope_of(const reader *c, const char *section, int item) 
     return NULL;
 }
 
+/* Lambda stands for a depth, by the force that the path begins with. */
+static bool take_Lambda(reader *c) {
+    const tr_scope *bodies = scope_of(c, "bodies", -1), *first = scope_of(c, "path", 0);
+    const tr_node *node = bodies ? tr_tree_find(bodies->node, "Lambda") : NULL;
+    if (!node) return true;
+    if (!first || !tr_tree_find(first->node, "force"))
+        return tr_text_fail(c->st, node->mark,
+                            "`Lambda` is ln(2d/a) at the force of the first segment, which %s: give `depth`",
+                            first ? "gives none" : "is not in the case");
+    tr_resolve_entry(c->r.scopes, "depth")->fallback = tr_tables_depth_from_Lambda;
+    return true;
+}
+
 static bool resolve_all(reader *c) {
-    const tr_scope *bodies = scope_of(c, "bodies", -1);
-    if (bodies && tr_tree_find(bodies->node, "Lambda"))
-        tr_resolve_entry(c->r.scopes, "depth")->fallback = tr_tables_depth_from_Lambda;
+    if (!take_Lambda(c)) return false;
     for (int i = 0; i < c->n_entries; i++) {
         tr_entry *e = &c->entries[i];
         bool on_demand = e->value == &e->scratch && !e->node;
@@ -288,7 +299,9 @@ static bool check_law(reader *c, const tr_scope *s, const char *slot, const tr_p
 static bool check_depth(reader *c, const tr_scope *s) {
     const tr_entry *depth = tr_resolve_entry(s, "depth"), *E_star = tr_resolve_entry(s, "E_star");
     if (!depth || depth->law) return true; /* its law is not chosen */
-    double d = *(double *)depth->value, R = c->scene->pair.R_star, E = *(double *)E_star->value;
+    const tr_scene_pair *pair = &c->scene->pair;
+    double d = *(double *)depth->value, R = pair->R_star, E = *(double *)E_star->value;
+    if (d == 0) d = 2 * sqrt(pair->R1 * pair->R2) / M_E; /* which 0 stands for */
     for (int i = 0; i < c->scene->n_segments; i++) {
         const tr_scene_segment *g = &c->scene->path[i];
         double a = sqrt(4 * g->force * R / (M_PI * E));
@@ -297,15 +310,20 @@ static bool check_depth(reader *c, const tr_scope *s) {
             return tr_text_fail(
                 c->st, tr_resolve_entry(scope_of(c, "path", i), by_force ? "force" : "overlap")->node->mark,
                 "this presses the contact of `laws.%d` as wide as its depth, %.3g m; give a smaller %s or "
-                "a larger `bodies.depth`",
+                "a larger `bodies.depth` or `bodies.Lambda`",
                 s->item, d, by_force ? "force" : "overlap");
     }
     return true;
 }
 
+static bool needed(const tr_scope *s, const tr_param_table *law) {
+    return !law->demands_if || *(const bool *)tr_resolve_entry(s, law->demands_if)->value;
+}
+
 /* What a law must know of a prescribed path. */
 static bool check_demands(reader *c, const tr_scope *s, const char *slot, const tr_param_table *law) {
     const tr_scene *scene = c->scene;
+    if (!needed(s, law)) return true;
     if (law->demands & TR_NEEDS_DENSITY && scene->pair.density == 0)
         return tr_text_fail(c->st, scope_of(c, "bodies", -1)->mark,
                             "`bodies.density` is missing: %s law %s of `%s.%d` depends on the inertia of the bodies",

@@ -153,7 +153,7 @@ static const tr_param pair[] = {
      "density of both, for laws that know inertia; 0: not given"},
     {"depth", TR_REAL, TR_DIM_LENGTH, "m", "2*sqrt(R1*R2)/exp(1)", 1e-12, 1e6, "Lambda", AT(depth),
      "d of the line contact; by default that of two disks pressed between plates [Johnson1985]"},
-    {"Lambda", TR_REAL, TR_DIM_NUMBER, "1", NULL, 1e-3, 100, "depth", AT(Lambda),
+    {"Lambda", TR_REAL, TR_DIM_NUMBER, "1", NULL, 0.7, 100, "depth", AT(Lambda),
      "ln(2d/a) at the force of the first segment: another way to give the depth"},
 };
 #undef STRUCT

@@ -16,7 +16,7 @@ typedef struct line {
     tr_law_data friction_data, rolling_data;
     double hist[2][TR_MAX_HIST], pair[2][TR_MAX_PAIR];
     double *hist_at[2][TR_MAX_HIST], *pair_at[2][TR_MAX_PAIR];
-    double R1, R2, g1;
+    double R1, R2, g1, E_star;
     double P, delta;             /* now */
     double P_start, delta_start; /* at the start of the segment */
 } line;
@@ -28,6 +28,19 @@ struct tr_contact {
     double slide_start, roll_start; /* at the start of the segment */
     line *lines;                    /* one for each item of laws */
 };
+
+/* Half-width of the contact of disks [Johnson1985 eq. 4.45], radius of that of spheres [Johnson1985 eq. 4.22]. */
+static double half_width(const tr_scene *scene, double E_star, double P) {
+    double R = scene->pair.R_star;
+    return scene->shape == TR_SHAPE_SPHERE ? cbrt(3 * P * R / (4 * E_star)) : sqrt(4 * P * R / (M_PI * E_star));
+}
+
+/* Of an item: that of its friction law, of its normal law, or of the bodies. */
+static double modulus(const tr_scene_contact *laws, const tr_scene *scene) {
+    const double *friction = tr_law_value(tr_laws_friction[laws->friction.law], laws->friction.par, "E_star");
+    const double *normal = tr_law_value(tr_laws_normal[laws->normal.law], laws->normal.par, "E_star");
+    return friction ? *friction : normal ? *normal : scene->pair.E_star;
+}
 
 static void bind(line *l, int which, const tr_law *law, const tr_scene_law *chosen, const tr_pair_bodies *bodies,
                  tr_shape shape, tr_law_data *data) {
@@ -49,9 +62,15 @@ static void set_line(line *l, const tr_scene_contact *laws, const tr_scene *scen
     /* density 0, not given: no law that is here asks for the inertia */
     double m1 = pair->density * M_PI * R1 * R1 * (sphere ? 4 * R1 / 3 : 1);
     double m2 = pair->density * M_PI * R2 * R2 * (sphere ? 4 * R2 / 3 : 1);
-    tr_pair_bodies bodies = {
-        .R1 = R1, .R2 = R2, .m1 = m1, .m2 = m2, .I1 = of_mass * m1 * R1 * R1, .I2 = of_mass * m2 * R2 * R2};
+    tr_pair_bodies bodies = {.R1 = R1,
+                             .R2 = R2,
+                             .m1 = m1,
+                             .m2 = m2,
+                             .I1 = of_mass * m1 * R1 * R1,
+                             .I2 = of_mass * m2 * R2 * R2,
+                             .held = true};
     l->R1 = R1, l->R2 = R2, l->g1 = R1 / (R1 + R2);
+    l->E_star = modulus(laws, scene);
     l->normal = tr_laws_normal[laws->normal.law], l->normal_par = laws->normal.par;
     l->friction = tr_laws_friction[laws->friction.law];
     l->rolling = tr_laws_rolling[laws->rolling.law];
@@ -136,13 +155,6 @@ static bool is_finite(const tr_contact_state *s) {
            isfinite(s->Q) && isfinite(s->q) && isfinite(s->moment_1) && isfinite(s->moment_2) && isfinite(s->f_r);
 }
 
-/* Half-width of the contact of disks [Johnson1985 eq. 4.45], radius of that of spheres [Johnson1985 eq. 4.22]. */
-static double half_width(const tr_scene *scene, double P) {
-    const tr_scene_pair *pair = &scene->pair;
-    return scene->shape == TR_SHAPE_SPHERE ? cbrt(3 * P * pair->R_star / (4 * pair->E_star))
-                                           : sqrt(4 * P * pair->R_star / (M_PI * pair->E_star));
-}
-
 bool tr_contact_step(tr_contact *c, tr_contact_state *state, tr_status *st) {
     const tr_scene_pair *pair = &c->scene->pair;
     const tr_scene_segment *g = &c->scene->path[c->segment];
@@ -158,7 +170,7 @@ bool tr_contact_step(tr_contact *c, tr_contact_state *state, tr_status *st) {
         double start = by_force ? l->P_start : l->delta_start;
         press(l, by_force, last ? goal : start + part * (goal - start));
         run_passes(l, w1, w2, dt);
-        s.law = i, s.P = l->P, s.overlap = l->delta, s.a = half_width(c->scene, l->P);
+        s.law = i, s.P = l->P, s.overlap = l->delta, s.a = half_width(c->scene, l->E_star, l->P);
         read_line(l, &s);
         if (!is_finite(&s))
             return tr_status_fail(st, TR_NUMERICAL, "error: a number of laws.%d is not finite at step %lld (path.%d)",

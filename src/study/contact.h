@@ -25,7 +25,7 @@ typedef struct tr_contact_state {
     double u_slide, u_roll;         /* since the start of the path [m] */
     double P;                       /* normal force [N/m] */
     double overlap;                 /* [m] */
-    double a;                       /* half-width of the contact by Hertz, from P [m] */
+    double a;                       /* half-width of the contact by Hertz, from P and the item's E_star [m] */
     double Q;                       /* friction on body 1 along t, on body 2 the opposite [N/m] */
     double q;                       /* |Q| over its bound mu P; 0 where that is 0 */
     double moment_1, moment_2, f_r; /* of the rolling law: on the bodies [N]; its force along t, like Q [N/m] */

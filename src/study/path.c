@@ -6,17 +6,18 @@
 #include "study/csv.h"
 #include <math.h>
 
-enum { SLIDE, ROLL, FORCE, TIME, COLUMNS };
+enum { SLIDE, ROLL, FORCE, TIME, LAW, COLUMNS };
 
 typedef struct path {
     tr_scene *scene;
     int capacity;
     bool timed;                           /* there is a column of times */
+    double law;                           /* the rows of this one count: that of the first row */
     double now[COLUMNS], before[COLUMNS]; /* this row, the row before */
 } path;
 
-static const char *const columns_disk[COLUMNS] = {"u_slide_m", "u_roll_m", "P_N_per_m", "time_s"};
-static const char *const columns_sphere[COLUMNS] = {"u_slide_m", "u_roll_m", "P_N", "time_s"};
+static const char *const columns_disk[COLUMNS] = {"u_slide_m", "u_roll_m", "P_N_per_m", "time_s", "law"};
+static const char *const columns_sphere[COLUMNS] = {"u_slide_m", "u_roll_m", "P_N", "time_s", "law"};
 
 static bool cell(void *context, tr_csv *csv, int column, const char *text, size_t length) {
     path *p = context;
@@ -27,8 +28,9 @@ static bool cell(void *context, tr_csv *csv, int column, const char *text, size_
     if (column == FORCE && p->now[FORCE] < 0)
         return tr_csv_fail(csv, csv->line,
                            "%s is %s: bodies are pressed together by a force above 0, or are apart at 0", name, text);
-    if (column == TIME && !(p->now[TIME] > p->before[TIME]))
-        return tr_csv_fail(csv, csv->line, "time_s is %s: it must grow from row to row, and from 0 to the first", text);
+    double most = column == FORCE ? 1e12 : column == SLIDE || column == ROLL ? 1e3 : INFINITY; /* as in a case */
+    if (!(fabs(p->now[column]) <= most))
+        return tr_csv_fail(csv, csv->line, "%s is %s, allowed is up to %g", name, text, most);
     return true;
 }
 
@@ -39,14 +41,16 @@ static bool deep_enough(const path *p, tr_csv *csv) {
         const tr_law *law = tr_laws_normal[chosen->law];
         const double *depth = tr_law_value(law, chosen->par, "depth"),
                      *E_star = tr_law_value(law, chosen->par, "E_star");
+        const tr_scene_pair *pair = &p->scene->pair;
         if (!depth) continue;
+        double d = *depth > 0 ? *depth : 2 * sqrt(pair->R1 * pair->R2) / M_E; /* which 0 stands for */
         double a = sqrt(4 * p->now[FORCE] * p->scene->pair.R_star / (M_PI * *E_star));
-        if (!(a < *depth))
+        if (!(a < d))
             return tr_csv_fail(
                 csv, csv->row_line,
                 "this force presses the contact of `laws.%d` as wide as its depth, %.3g m; give a larger "
-                "`bodies.depth`",
-                i, *depth);
+                "`bodies.depth` or `bodies.Lambda`",
+                i, d);
     }
     return true;
 }
@@ -54,6 +58,11 @@ static bool deep_enough(const path *p, tr_csv *csv) {
 static bool row(void *context, tr_csv *csv) {
     path *p = context;
     tr_scene *s = p->scene;
+    if (!s->n_segments) p->law = p->now[LAW];
+    if (p->now[LAW] != p->law) return true;
+    if (p->timed && !(p->now[TIME] > p->before[TIME]))
+        return tr_csv_fail(csv, csv->row_line, "time_s is %g: it must grow from row to row, and from 0 to the first",
+                           p->now[TIME]);
     if (!deep_enough(p, csv)) return false;
     if (s->n_segments == p->capacity) {
         int grown = p->capacity * 2 + 1024;

@@ -236,7 +236,7 @@ static one_step single(star s, double w1, double w2, double f, double Q, double 
     tr_world_set_disk(&w, 1, 1, 0, 0, RADIUS, DENSITY, false);
     set_star(&w, 0, s, 0);
     const tr_slot *slot = &w.group[0].slot[TR_ROLLING];
-    double R1[1] = {2 * RADIUS}, R2[1] = {RADIUS}, g1[1] = {2.0 / 3}, h[2] = {before, before}, p[2] = {0};
+    double R1[1] = {2 * RADIUS}, R2[1] = {RADIUS}, g1[1] = {2.0 / 3}, h[2] = {before, before}, p[3] = {0};
     tr_pair_bodies bodies = tr_world_pair(&w, &w.group[0], 0, 1);
     slot->law->pair(slot->par, &bodies, p);
     if (is(s, "damping")) { /* what the bound on the step is told: per radian */
@@ -250,7 +250,7 @@ static one_step single(star s, double w1, double w2, double f, double Q, double 
     t.n = 1, t.dt = dt, t.R1 = R1, t.R2 = R2, t.g1 = g1;
     t.r1[0] = 1.9 * RADIUS, t.r2[0] = 0.95 * RADIUS;
     t.w1[0] = w1, t.w2[0] = w2, t.f_n[0] = f, t.f_t[0] = Q;
-    tr_law_data data = {.par = slot->par, .hist = (double *[]){h, h + 1}, .pair = (double *[]){p, p + 1}};
+    tr_law_data data = {.par = slot->par, .hist = (double *[]){h, h + 1}, .pair = (double *[]){p, p + 1, p + 2}};
     tr_lane energy, bound;
     slot->law->step(&t, &data);
     slot->law->state(&t, &data, energy, bound);

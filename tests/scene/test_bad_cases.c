@@ -354,11 +354,15 @@ static void contact_messages(void **state) {
          "path: [{force: 1 kN/m}, {force: 60 kN/m}]\n",
          "a.yaml:4:33: error: this presses the contact of `laws.0` as wide as its depth, 9.9e-05 m; give a smaller "
          "force "
-         "or a larger `bodies.depth`\n"},
+         "or a larger `bodies.depth` or `bodies.Lambda`\n"},
         {"kind: contact\nbodies: {R1: 10 mm, R2: 10 mm, E: 70 GPa, nu: 0.3, depth: 10 um}\n" LAWS
          "path: [{overlap: 0.012 um}]\n",
          "a.yaml:4:18: error: this presses the contact of `laws.0` as wide as its depth, 1e-05 m; give a smaller "
          "overlap"},
+        {"kind: contact\nbodies: {R1: 10 mm, R2: 10 mm, E: 70 GPa, nu: 0.3, Lambda: 3}\n" LAWS
+         "path: [{overlap: 1 um}]\n",
+         "a.yaml:2:60: error: `Lambda` is ln(2d/a) at the force of the first segment, which gives none: give "
+         "`depth`\n"},
         {PAIR "laws: [{rolling: wang-spring, k_r: 1}]\npath: [{force: 1, time: 1}]\n",
          "a.yaml:2:9: error: `bodies.density` is missing: rolling law wang-spring of `laws.0` depends on the inertia"},
         {"kind: contact\nbodies: {R1: 1, R2: 1, E: 1, nu: 0, density: 1}\n"

@@ -271,11 +271,12 @@ static void time_counts_where_it_must(void **state) {
     end(&r);
     end(&slow);
     refused(
-        BODIES "laws: [{}, {rolling: star-displacement-damping}]\npath: [{force: 1, time: 1}]\n",
+        BODIES "laws: [{}, {rolling: star-displacement-damping, damping: yes}]\npath: [{force: 1, time: 1}]\n",
         "a.yaml:2:9: error: `bodies.density` is missing: rolling law star-displacement-damping of `laws.1` depends on "
         "the inertia of the bodies");
     refused(
-        HEAVY "laws: [{}, {rolling: star-displacement-damping}]\npath: [{force: 1, time: 1}, {force: 2}]\n",
+        HEAVY
+        "laws: [{}, {rolling: star-displacement-damping, damping: yes}]\npath: [{force: 1, time: 1}, {force: 2}]\n",
         "a.yaml:4:29: error: `path.1.time` is missing: rolling law star-displacement-damping of `laws.1` depends on "
         "the rate");
     r = drive(HEAVY "laws: [{rolling: star-displacement-damping, damping: yes}]\n"
@@ -338,6 +339,36 @@ static void overlaps(void **state) {
     end(&r);
 }
 
+/* The motion is prescribed: sign laws do not slow down as if they could stop it. Full moment at any speed and step, none
+ * at rest; and without the dashpot no law here knows time or inertia. R1 = 10, R2 = 30 mm, P = 1 kN/m. */
+static void sign_laws_at_any_speed(void **state) {
+    (void)state;
+    static const char *const times[] = {"1e-6", "1", "1e6"};
+    for (int k = 0; k < 3; k++) {
+        char text[800];
+        snprintf(text, sizeof text,
+                 BODIES "laws:\n"
+                        "  - {rolling: star-constant-torque, mu_r: 0.1}\n"
+                        "  - {rolling: star-force-proportional, mu_r: 0.1}\n"
+                        "  - {rolling: star-displacement-damping, mu_r: 0.1}\n"
+                        "path:\n"
+                        "  - {force: 1 kN/m, roll: 1 mm, time: %s, steps: %d}\n"
+                        "  - {force: 1 kN/m, time: %s, steps: 2}\n",
+                 times[k], 10 + 100 * k, times[k]);
+        run r = drive(text);
+        const tr_contact_state *torque = r.state[0], *arm = r.state[1], *spring = r.state[2];
+        for (int i = 0; i < r.n; i++) {
+            double on = i < r.n - 2; /* material runs along t: body 1 turns clockwise */
+            assert_close(torque[i].moment_1, on * 0.1 * 0.015 * 1e3, 1e-14, 0);
+            assert_close(torque[i].moment_2, -on * 0.1 * 0.015 * 1e3, 1e-14, 0);
+            assert_close(arm[i].moment_1, on * 0.1 * 0.01 * 1e3, 1e-14, 0);
+            assert_close(arm[i].moment_2, -on * 0.1 * 0.03 * 1e3, 1e-14, 0);
+        }
+        assert_close(spring[r.n - 1].moment_1, 0.1 * 0.015 * 1e3, 1e-14, 0); /* 1 mm turns far beyond theta_max */
+        end(&r);
+    }
+}
+
 /* The largest numbers that a case may hold do not give NaN: a row, or an error that names the step. */
 static void extremes(void **state) {
     (void)state;
@@ -381,6 +412,7 @@ int main(void) {
         cmocka_unit_test(every_law_is_here),
         cmocka_unit_test(opening_forgets),
         cmocka_unit_test(time_counts_where_it_must),
+        cmocka_unit_test(sign_laws_at_any_speed),
         cmocka_unit_test(overlaps),
         cmocka_unit_test(extremes),
     };

@@ -44,9 +44,10 @@ static void drive(const tr_scene *scene, tr_contact_state *state) {
 /* Columns in another order, others among them; the name counts from the folder of the case. */
 static void same_as_written_out(void **state) {
     (void)state;
-    char csv[2000] = "P_N_per_m,note,time_s,u_slide_m,u_roll_m\n", path[2000] = HEAD "path:\n", name[80];
+    char csv[2000] = "P_N_per_m,note,time_s,u_slide_m,law,u_roll_m\n", path[2000] = HEAD "path:\n", name[80];
     for (int i = 0; i < N; i++) {
-        sprintf(csv + strlen(csv), "%g,\"a, b\",%g,%ge-6,%ge-6\n", 1e3 * force[i], at[i], slide[i], roll[i]);
+        sprintf(csv + strlen(csv), "%g,\"a, b\",%g,%ge-6,2,%ge-6\n", 1e3 * force[i], at[i], slide[i], roll[i]);
+        strcat(csv, "7,another law,1,2,3,4\n");
         sprintf(path + strlen(path), "  - {force: %g kN/m, time: %g, slide: %.17g um, roll: %.17g um, steps: 1}\n",
                 force[i], at[i] - (i ? at[i - 1] : 0), slide[i] - (i ? slide[i - 1] : 0),
                 roll[i] - (i ? roll[i - 1] : 0));
@@ -87,6 +88,8 @@ static void refuses(void **state) {
         {COLUMNS "0,0,-1,1\n", ":2: error: P_N_per_m is -1: "},
         {COLUMNS "0,0,1,1\n0,0,1,1\n", ":3: error: time_s is 1: it must grow"},
         {COLUMNS "0,0,1,0\n", ":2: error: time_s is 0: it must grow from row to row, and from 0"},
+        {COLUMNS "0,0,1e308,1\n", ":2: error: P_N_per_m is 1e308, allowed is up to 1e+12"},
+        {COLUMNS "0,-1e4,1,1\n", ":2: error: u_roll_m is -1e4, allowed is up to 1000"},
         {COLUMNS "0,0,1e9,1\n", ":2: error: this force presses the contact of `laws.0` as wide as its depth, 0.001 m"},
         {"u_slide_m,u_roll_m,P_N_per_m\n0,0,1\n",
          ":1: error: no column time_s: the law star-displacement-damping of `laws.0` depends on the rate"},

@@ -61,7 +61,7 @@ check 'friction within its bound' within
 check 'it has no frames' run_gives 2 "$cases/contact-reversal.yaml" -o no --frames 2
 check 'and says so' says stderr '`output` is not for `kind: contact`; allowed here: kind, bodies, laws, path'
 check 'a law that depends on the rate is not guessed at' run_gives 2 "$cases/contact-reversal.yaml" -o no --check \
-    --set laws.0.rolling=star-displacement-damping --set bodies.density=2700
+    --set laws.0.rolling=star-displacement-damping --set laws.0.damping=yes --set bodies.density=2700
 check 'it asks for the time' says stderr '`path.0.time` is missing: rolling law star-displacement-damping of `laws.0` depends on the rate'
 
 # ---- tables ----
