@@ -124,7 +124,8 @@ broken() {
 }
 check 'noticed: laws include core' broken 'folders include only what is below them' laws/laws.c '#include "core/world.h"'
 check 'noticed: core includes out' broken 'folders include only what is below them' core/step.c '#include "out/table.h"'
-check 'noticed: patch includes laws' broken 'folders include only what is below them' laws/laws.c '#include "patch/carter.h"'
+check 'noticed: laws include patch' broken 'folders include only what is below them' laws/laws.c '#include "patch/carter.h"'
+check 'noticed: patch includes laws' broken 'folders include only what is below them' patch/carter.c '#include "laws/law.h"'
 check 'noticed: out includes draw' broken 'folders include only what is below them' out/table.h '  #  include "draw/draw.h"'
 check 'noticed: a path that goes up' broken 'folders include only what is below them' base/alloc.c '#include "../core/world.h"'
 check 'noticed: Cairo in out' broken 'Cairo and libpng only in draw/' out/dir.c '#include <cairo.h>'
