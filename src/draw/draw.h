@@ -9,6 +9,7 @@
 #include "base/status.h"
 #include "core/record.h"
 #include "core/world.h"
+#include "patch/patch.h"
 #include "scene/scene.h"
 #include <stdbool.h>
 
@@ -53,6 +54,22 @@ void tr_draw_biaxial(tr_canvas *canvas, const tr_view *view);
 /* A few bodies, for teaching: rim ticks, the arcs da and db, velocities, and V_s and V_r by every definition for the
  * first four contacts. */
 void tr_draw_bodies(tr_canvas *canvas, const tr_view *view);
+
+/* One instant of the inside of a line contact. For a film that does not flicker give it the ranges. */
+typedef struct tr_patch_view {
+    const tr_patch_pair *pair;
+    const tr_patch_state *state; /* P = 0: the contact is open */
+    double v_slide, v_roll;      /* du and dr of the path per unit of anything: only signs and ratio are drawn */
+    double a_max, p_max;         /* largest half-width [m] and pressure [Pa]; 0: of this state */
+    double slip_max;             /* of a step, end of the colour bar [m]; 0: of this state */
+    double progress;             /* of the path, 0 to 1 */
+    const char *title;           /* NULL: none */
+    const tr_view_line *line;
+    int n_lines;
+} tr_patch_view;
+
+/* The two bodies, where their contact sticks and where it slips which way, and the traction within Coulomb's bound. */
+void tr_draw_patch(tr_canvas *canvas, const tr_patch_view *view);
 
 /* A round end for the colour bar: smallest 1, 2 or 5 times a power of ten that covers 95 % of the contacts; 1 for
  * mobilisation, and where all is at rest. [1 or m/s] */

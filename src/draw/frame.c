@@ -13,14 +13,13 @@ static double round_number(int k) {
     return digit[k - 3 * decade] * pow(10, decade);
 }
 
-/* Largest round number <= x, for x > 0. */
-static double round_down(double x) {
+double tr_frame_round_down(double x) {
     int k = 3 * (int)floor(log10(x)) + 3;
     while (round_number(k) > x * (1 + 1e-9)) k--;
     return round_number(k);
 }
 
-static double round_up(double x) {
+double tr_frame_round_up(double x) {
     int k = 3 * (int)floor(log10(x));
     while (round_number(k) < x * (1 - 1e-9)) k++;
     return round_number(k);
@@ -36,8 +35,8 @@ double tr_frame_range(const tr_record *record, int n, tr_color color) {
     for (int i = 0; i < n; i++)
         if (isfinite(speed_of(&record[i], color))) max = fmax(max, speed_of(&record[i], color));
     if (!(max > 1e-100)) return 1;
-    for (double range = round_up(max);;) { /* ends: below the smallest speed nothing is covered */
-        double next = round_down(0.9 * range);
+    for (double range = tr_frame_round_up(max);;) { /* ends: below the smallest speed nothing is covered */
+        double next = tr_frame_round_down(0.9 * range);
         int above = 0;
         for (int i = 0; i < n; i++) above += speed_of(&record[i], color) > next;
         if (above > 0.05 * n || next < 1e-6 * max) return range;
@@ -53,17 +52,17 @@ double tr_frame_range_bodies(const tr_world *world, const tr_record *record, int
     }
     for (int i = 0; i < n; i++) max = fmax(max, fmax(fabs(record[i].v_s), fabs(record[i].v_r)));
     /* Bars are cut at the range: a hundredth over it, as a dashpot's last flutter gives, must not halve them all. */
-    return max > 1e-100 && isfinite(max) ? round_up(0.98 * max) : 1;
+    return max > 1e-100 && isfinite(max) ? tr_frame_round_up(0.98 * max) : 1;
 }
 
 tr_unit tr_frame_unit(double largest, const char *si_unit) {
-    static const char *const prefix[] = {"n", "µ", "m", "", "k", "M", "G"};
-    tr_unit unit = {.size = 1e-9};
+    static const char *const prefix[] = {"p", "n", "µ", "m", "", "k", "M", "G"};
+    tr_unit unit = {.size = 1e-12};
     int i = 0;
     if (!(fabs(largest) > 0) || !isfinite(largest)) largest = 1;
     largest = fabs(largest) * (1 + 1e-9);
-    for (; i < 6 && largest >= 1000 * unit.size; i++) unit.size *= 1000;
-    unit.size = pow(10, 3 * i - 9); /* exact, unlike the product */
+    for (; i < 7 && largest >= 1000 * unit.size; i++) unit.size *= 1000;
+    unit.size = pow(10, 3 * i - 12); /* exact, unlike the product */
     double top = largest / unit.size;
     unit.decimals = top < 10 ? 2 : top < 100 ? 1 : 0;
     snprintf(unit.name, sizeof unit.name, "%s%s", prefix[i], si_unit);
@@ -78,7 +77,7 @@ void tr_frame_number(char *text, size_t size, double value, const tr_unit *unit,
 }
 
 static void draw_scale_bar(cairo_t *cr, const tr_map *map) {
-    double length = round_down(0.22 * map->width / map->scale);
+    double length = tr_frame_round_down(0.22 * map->width / map->scale);
     tr_unit unit = tr_frame_unit(length, "m");
     unit.decimals = 0;
     char number[32], label[48];
@@ -92,19 +91,18 @@ static void draw_scale_bar(cairo_t *cr, const tr_map *map) {
     tr_pen_text(cr, (tr_text){.x = x + w + 14, .y = y + 8, .size = 24}, label);
 }
 
-static double draw_panel(cairo_t *cr, const tr_view *view) {
+double tr_frame_head(cairo_t *cr, const tr_head *head) {
     const double right = TR_PANEL_X + TR_PANEL_W;
-    double y = TR_EDGE + 28;
-    tr_unit unit = tr_frame_unit(view->time_end, "s");
-    char number[32], time[64];
-    unit.decimals++;
-    tr_frame_number(number, sizeof number, view->time, &unit, false);
-    snprintf(time, sizeof time, "%s %s", number, unit.name);
-    double free = TR_PANEL_W;
-    free -= tr_pen_text(cr, (tr_text){.x = TR_PANEL_X, .y = y, .size = 26, .hue = TR_FAINT}, "time") + 16;
-    tr_pen_text(cr, (tr_text){.x = right, .y = y, .size = 32, .bold = true, .align = TR_RIGHT, .room = free}, time);
-    for (int i = 0; i < view->n_lines; i++) {
-        const tr_view_line *line = &view->line[i];
+    double y = TR_EDGE + 28, free = TR_PANEL_W;
+    tr_pen_hue(cr, TR_WHITE);
+    cairo_paint(cr);
+    if (head->title)
+        tr_pen_text(cr, (tr_text){.x = TR_EDGE, .y = y, .size = 34, .bold = true, .room = TR_PICTURE_W}, head->title);
+    free -= tr_pen_text(cr, (tr_text){.x = TR_PANEL_X, .y = y, .size = 26, .hue = TR_FAINT}, head->label) + 16;
+    tr_pen_text(cr, (tr_text){.x = right, .y = y, .size = 32, .bold = true, .align = TR_RIGHT, .room = free},
+                head->value);
+    for (int i = 0; i < head->n_lines; i++) {
+        const tr_view_line *line = &head->line[i];
         y += 40;
         free = TR_PANEL_W - 16;
         free -= tr_pen_text(
@@ -115,15 +113,38 @@ static double draw_panel(cairo_t *cr, const tr_view *view) {
     return y + 24;
 }
 
-tr_map tr_frame_start(cairo_t *cr, const tr_view *view, double *panel_y) {
-    tr_pen_hue(cr, TR_WHITE);
-    cairo_paint(cr);
-    *panel_y = draw_panel(cr, view);
-    double top = TR_EDGE, width = TR_PANEL_X - 40 - TR_EDGE;
-    if (view->title) {
-        tr_pen_text(cr, (tr_text){.x = TR_EDGE, .y = top + 28, .size = 34, .bold = true, .room = width}, view->title);
-        top += 52;
+void tr_frame_color_bar(cairo_t *cr, const char *name, double range, const tr_unit *unit, double y) {
+    tr_unit shown = *unit;
+    double middle = range / 2 / unit->size;
+    char label[96], number[32];
+    snprintf(label, sizeof label, "%s%s%s%s", name, *unit->name ? "  [" : "", unit->name, *unit->name ? "]" : "");
+    tr_pen_text(cr, (tr_text){.x = TR_PANEL_X, .y = y, .size = 24, .room = TR_PANEL_W}, label);
+    cairo_pattern_t *ramp = cairo_pattern_create_linear(TR_PANEL_X, 0, TR_PANEL_X + TR_PANEL_W, 0);
+    for (int i = 0; i <= 40; i++) {
+        tr_rgb c = tr_palette_sequential(i / 40.0);
+        cairo_pattern_add_color_stop_rgb(ramp, i / 40.0, c.r, c.g, c.b);
     }
+    cairo_rectangle(cr, TR_PANEL_X, y + 16, TR_PANEL_W, 28);
+    cairo_set_source(cr, ramp);
+    cairo_fill(cr);
+    cairo_pattern_destroy(ramp);
+    shown.decimals = fabs(middle - nearbyint(middle)) > 1e-3; /* the range is a round number */
+    for (int i = 0; i <= 2; i++) {
+        tr_frame_number(number, sizeof number, i * range / 2, &shown, false);
+        tr_pen_text(cr,
+                    (tr_text){.x = TR_PANEL_X + i * TR_PANEL_W / 2.0, .y = y + 70, .size = 24, .align = (tr_align)i},
+                    number);
+    }
+}
+
+tr_map tr_frame_start(cairo_t *cr, const tr_view *view, double *panel_y) {
+    tr_unit unit = tr_frame_unit(view->time_end, "s");
+    char number[32], time[64];
+    unit.decimals++;
+    tr_frame_number(number, sizeof number, view->time, &unit, false);
+    snprintf(time, sizeof time, "%s %s", number, unit.name);
+    *panel_y = tr_frame_head(cr, &(tr_head){view->title, "time", time, view->line, view->n_lines});
+    double top = view->title ? TR_EDGE + 52 : TR_EDGE, width = TR_PICTURE_W;
     double height = TR_FRAME_HEIGHT - 64 - top, box_w = view->x1 - view->x0, box_h = view->y1 - view->y0;
     double scale = fmin(width / box_w, height / box_h);
     if (!(box_w > 0 && box_h > 0) || !isfinite(scale) || !(scale > 0)) return (tr_map){0};

@@ -7,7 +7,12 @@
 #include "draw/pen.h"
 
 /* Margins of a frame [px]. */
-enum { TR_EDGE = 28, TR_PANEL_X = 852, TR_PANEL_W = TR_FRAME_WIDTH - TR_EDGE - TR_PANEL_X };
+enum {
+    TR_EDGE = 28,
+    TR_PANEL_X = 852,
+    TR_PANEL_W = TR_FRAME_WIDTH - TR_EDGE - TR_PANEL_X,
+    TR_PICTURE_W = TR_PANEL_X - 40 - TR_EDGE
+};
 
 /* Pixel of a point: (x + scale X, y - scale Y). The rectangle is where the view box lies. */
 typedef struct tr_map {
@@ -28,7 +33,23 @@ tr_unit tr_frame_unit(double largest, const char *si_unit);
 /* "%.{decimals}f" with a true minus; sign: plus is shown too. */
 void tr_frame_number(char *text, size_t size, double value, const tr_unit *unit, bool sign);
 
-/* Starts a frame: white ground, title, side panel with time and lines, scale bar, view box as large as fits.
+/* Next of ..., 0.5, 1, 2, 5, 10, ... for 1e-300 < x < 1e300. */
+double tr_frame_round_down(double x);
+double tr_frame_round_up(double x);
+
+typedef struct tr_head {
+    const char *title, *label, *value; /* label and value: how far the film is */
+    const tr_view_line *line;
+    int n_lines;
+} tr_head;
+
+/* White ground, title, side panel. Returns its first free line [px]. */
+double tr_frame_head(cairo_t *cr, const tr_head *head);
+
+/* The sequential palette from 0 to range, in the panel; y: base line of its label [px]. */
+void tr_frame_color_bar(cairo_t *cr, const char *name, double range, const tr_unit *unit, double y);
+
+/* Starts a frame of a world: the above with its time, scale bar, view box as large as fits.
  * *panel_y: first free line of the panel [px]. scale 0: the box is empty or not finite, there is nothing to draw. */
 tr_map tr_frame_start(cairo_t *cr, const tr_view *view, double *panel_y);
 

@@ -122,30 +122,9 @@ static void draw_walls(cairo_t *cr, const tr_view *view, const tr_map *map) {
 static void draw_color_bar(cairo_t *cr, const tr_view *view, double range, double y) {
     static const char *const name[] = {"friction used  |f_t| / (μ f_n)", "sliding velocity  |V_s|",
                                        "rolling velocity  |V_r|"};
-    tr_unit unit = {.size = 1, .name = "", .decimals = 1};
-    char label[96], number[32];
-    snprintf(label, sizeof label, "%s", name[view->color]);
-    if (view->color != TR_COLOR_MOBILISATION) {
-        unit = tr_frame_unit(range, "m/s");
-        unit.decimals = range / unit.size < 2 ? 1 : 0;
-        snprintf(label, sizeof label, "%s  [%s]", name[view->color], unit.name);
-    }
-    tr_pen_text(cr, (tr_text){.x = TR_PANEL_X, .y = y, .size = 24, .room = TR_PANEL_W}, label);
-    cairo_pattern_t *ramp = cairo_pattern_create_linear(TR_PANEL_X, 0, TR_PANEL_X + TR_PANEL_W, 0);
-    for (int i = 0; i <= 40; i++) {
-        tr_rgb c = tr_palette_sequential(i / 40.0);
-        cairo_pattern_add_color_stop_rgb(ramp, i / 40.0, c.r, c.g, c.b);
-    }
-    cairo_rectangle(cr, TR_PANEL_X, y + 16, TR_PANEL_W, 28);
-    cairo_set_source(cr, ramp);
-    cairo_fill(cr);
-    cairo_pattern_destroy(ramp);
-    for (int i = 0; i <= 2; i++) {
-        tr_frame_number(number, sizeof number, i * range / 2, &unit, false);
-        tr_pen_text(cr,
-                    (tr_text){.x = TR_PANEL_X + i * TR_PANEL_W / 2.0, .y = y + 70, .size = 24, .align = (tr_align)i},
-                    number);
-    }
+    tr_unit unit = {.size = 1};
+    if (view->color != TR_COLOR_MOBILISATION) unit = tr_frame_unit(range, "m/s");
+    tr_frame_color_bar(cr, name[view->color], range, &unit, y);
 }
 
 static void draw_width_key(cairo_t *cr, tr_shape shape, double mean, double width, double y) {
