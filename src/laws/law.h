@@ -103,7 +103,8 @@ typedef struct tr_stiffness {
 } tr_stiffness;
 
 typedef enum tr_needs {
-    TR_NEEDS_V_R = 1, /* the rolling velocity of the scene's definition */
+    TR_NEEDS_V_R = 1,       /* the rolling velocity of the scene's definition */
+    TR_SOLVED_BY_PATCH = 4, /* step is NULL: the driver of kind: contact solves it */
     TR_GIVES_F_R = 2, /* a rolling law that also pulls along t: the pipeline ends with tr_resultant_rolling_force */
 } tr_needs;
 
@@ -147,6 +148,7 @@ extern const tr_law tr_friction_none, tr_rolling_none; /* their step is NULL */
 
 /* A real parameter of a law by its key, in its parameter struct at par; NULL: the law has none of that name. */
 double *tr_law_value(const tr_law *law, const double *par, const char *key);
+const int *tr_law_count(const tr_law *law, const double *par, const char *key); /* the same of a whole number */
 
 /* The rolling and the sliding velocities by author: a pass that writes tile->v_r (tile->v_s) from s1, s2, the radii and arms. */
 typedef struct tr_velocity_measure {

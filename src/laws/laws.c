@@ -17,6 +17,7 @@
     X(friction_cattaneo_mindlin)                                                                                       \
     X(friction_kuhn_creep)                                                                                             \
     X(friction_vu_quoc_zhang)                                                                                          \
+    X(friction_exact)                                                                                                  \
     X(friction_none)
 
 #define ROLLING_LAWS(X)                                                                                                \
@@ -59,9 +60,17 @@ const tr_param_catalog *tr_laws_catalog(void) {
     return &catalog;
 }
 
-double *tr_law_value(const tr_law *law, const double *par, const char *key) {
+static void *value(const tr_law *law, const double *par, const char *key, tr_type type) {
     for (int k = 0; k < law->table.n; k++)
-        if (law->table.params[k].type == TR_REAL && !strcmp(law->table.params[k].key, key))
-            return (double *)(void *)((char *)(uintptr_t)par + law->table.params[k].offset);
+        if (law->table.params[k].type == type && !strcmp(law->table.params[k].key, key))
+            return (char *)(uintptr_t)par + law->table.params[k].offset;
     return NULL;
+}
+
+double *tr_law_value(const tr_law *law, const double *par, const char *key) {
+    return value(law, par, key, TR_REAL);
+}
+
+const int *tr_law_count(const tr_law *law, const double *par, const char *key) {
+    return value(law, par, key, TR_COUNT);
 }

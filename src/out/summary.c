@@ -161,3 +161,22 @@ char *tr_summary_contact(const tr_scene *scene, int64_t steps, const tr_path_res
     json_object_set_new(o, "laws", laws);
     return finish(o, timing, st);
 }
+
+char *tr_summary_patch(const tr_scene *scene, int64_t steps, const tr_patch_result *r, const tr_timing *timing,
+                       tr_status *st) {
+    static const char *const solvers[] = {"half-plane", "brush", "carter", "cattaneo"};
+    json_t *o = begin(scene, "patch");
+    json_object_set_new(o, "solver", json_string(solvers[scene->patch.solver]));
+    json_object_set_new(o, "elements", json_integer(scene->patch.elements));
+    json_object_set_new(o, "segments", json_integer(scene->n_segments));
+    json_object_set_new(o, "steps", json_integer(steps));
+    add(o, "mu", scene->patch.mu);
+    add(o, "E_star_Pa", scene->pair.E_star);
+    add(o, "R_star_m", scene->pair.R_star);
+    add(o, "depth_m", scene->pair.d);
+    add(o, "Q_end_N_per_m", r->Q_end);
+    add(o, "q_end", r->q_end);
+    add(o, "u_slide_end_m", r->u_slide_end);
+    add(o, "dissipated_J_per_m", r->dissipated);
+    return finish(o, timing, st);
+}

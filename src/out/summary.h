@@ -46,4 +46,12 @@ char *tr_summary_bodies(const tr_scene *scene, const tr_bodies *b, const tr_timi
 char *tr_summary_contact(const tr_scene *scene, int64_t steps, const tr_path_result *law, const tr_timing *timing,
                          tr_status *st);
 
+/* kind: patch. */
+typedef struct tr_patch_result {
+    double Q_end, q_end, u_slide_end; /* [N/m 1 m] */
+    double dissipated;                /* along the path [N] (J per metre) */
+} tr_patch_result;
+char *tr_summary_patch(const tr_scene *scene, int64_t steps, const tr_patch_result *result, const tr_timing *timing,
+                       tr_status *st);
+
 #endif

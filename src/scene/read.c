@@ -4,12 +4,10 @@
  * Which keys there are depends on `kind`, and beside laws on the laws chosen, so those are resolved first. Every key
  * of the case becomes an entry (resolve.h); then all entries are resolved, in any order. */
 #include "base/alloc.h"
-#include "scene/resolve.h"
+#include "scene/check.h"
 #include "scene/tables.h"
 
 #include <errno.h>
-#include <float.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -113,8 +111,7 @@ static bool unknown_key(reader *c, const tr_scope *s, const tr_node *child) {
         if (!s->entries[i].derived) offer(list, sizeof list, &near, child->key, s->entries[i].param->key);
     for (int i = 0; i < tr_n_sections && !*s->section; i++) {
         const tr_section *t = &tr_sections[i];
-        bool repeated = i && strcmp(t->key, t[-1].key) == 0;
-        if (*t->key && (t->kinds & c->kind) && !repeated) offer(list, sizeof list, &near, child->key, t->key);
+        if (*t->key && tr_tables_begins(i, c->kind)) offer(list, sizeof list, &near, child->key, t->key);
     }
     tr_shown key = tr_resolve_name(s, child->key);
     tr_shown kind = {{0}};
@@ -165,9 +162,8 @@ static bool read_mapping(reader *c, const tr_section *t) {
     snprintf(what, sizeof what, "`%s`", t->key);
     if (!check_type(c, node, TR_NODE_MAPPING, what)) return false;
     tr_scope *s = open_scope(c, t->key, -1, node);
-    for (const tr_section *u = t; u < tr_sections + tr_n_sections && strcmp(u->key, t->key) == 0; u++) {
-        if (u->kinds & c->kind) add_rows(c, s, u->params, u->n, field(c->scene, u->offset), NULL);
-    }
+    for (const tr_section *u = t; u; u = tr_tables_next(u, c->kind))
+        add_rows(c, s, u->params, u->n, field(c->scene, u->offset), NULL);
     if (t->first_slot && !add_laws(c, s, field(c->scene, t->offset), t->first_slot)) return false;
     return find_shape(c, s) && check_keys(c, s);
 }
@@ -204,10 +200,13 @@ static bool read_list(reader *c, const tr_section *t) {
         if (!check_type(c, child, TR_NODE_MAPPING, what)) return false;
         tr_scope *s = open_scope(c, t->key, i, child);
         char *item = items + (size_t)i * t->item;
-        add_rows(c, s, t->params, t->n, item, NULL);
-        if (t->first_slot && !add_laws(c, s, item, t->first_slot)) return false;
-        for (const tr_section *u = t + 1; u < tr_sections + tr_n_sections && strcmp(u->key, t->key) == 0; u++)
-            add_derived(c, s, u->params, u->n, NULL);
+        for (const tr_section *u = t; u; u = tr_tables_next(u, c->kind)) {
+            if (u->derived)
+                add_derived(c, s, u->params, u->n, NULL);
+            else
+                add_rows(c, s, u->params, u->n, item, NULL);
+            if (u->first_slot && !add_laws(c, s, item, u->first_slot)) return false;
+        }
         if (!check_keys(c, s)) return false;
     }
     return true;
@@ -247,22 +246,18 @@ static bool read_root(reader *c) {
     return find_shape(c, s) && check_keys(c, s);
 }
 
-static const tr_scope *scope_of(const reader *c, const char *section, int item) {
-    for (int i = 0; i < c->r.n_scopes; i++)
-        if (c->r.scopes[i].item == item && strcmp(c->r.scopes[i].section, section) == 0) return &c->r.scopes[i];
-    return NULL;
-}
-
 /* Lambda stands for a depth, by the force that the path begins with. */
 static bool take_Lambda(reader *c) {
-    const tr_scope *bodies = scope_of(c, "bodies", -1), *first = scope_of(c, "path", 0);
-    const tr_node *node = bodies ? tr_tree_find(bodies->node, "Lambda") : NULL;
+    bool patch = c->scene->kind == TR_KIND_PATCH;
+    const tr_scope *at = patch ? c->r.scopes : tr_check_scope(&c->r, "bodies", -1);
+    const tr_scope *first = tr_check_scope(&c->r, "path", 0);
+    const tr_node *node = at ? tr_tree_find(at->node, "Lambda") : NULL;
     if (!node) return true;
     if (!first || !tr_tree_find(first->node, "force"))
         return tr_text_fail(c->st, node->mark,
                             "`Lambda` is ln(2d/a) at the force of the first segment, which %s: give `depth`",
                             first ? "gives none" : "is not in the case");
-    tr_resolve_entry(c->r.scopes, "depth")->fallback = tr_tables_depth_from_Lambda;
+    if (!patch) tr_resolve_entry(c->r.scopes, "depth")->fallback = tr_tables_depth_from_Lambda;
     return true;
 }
 
@@ -276,110 +271,15 @@ static bool resolve_all(reader *c) {
     return true;
 }
 
-/* A law is for its shape, and not every choice of its parameters is for assemblies. */
-static bool check_law(reader *c, const tr_scope *s, const char *slot, const tr_param_table *law) {
-    const tr_entry *e = tr_resolve_entry(s, slot);
-    tr_mark mark = e->node ? e->node->mark : s->mark;
-    unsigned wrong = c->scene->shape == TR_SHAPE_SPHERE ? TR_ONLY_DISKS : TR_ONLY_SPHERES;
-    if (law->demands & wrong)
-        return tr_text_fail(c->st, mark, "the law %s is for %s, and `shape` is %s", law->name,
-                            wrong == TR_ONLY_DISKS ? "disks" : "spheres", wrong == TR_ONLY_DISKS ? "sphere" : "disk");
-    for (int i = 0; i < law->n && law->driver_choice && c->scene->kind != TR_KIND_CONTACT; i++) {
-        const tr_param *p = &law->params[i];
-        const tr_entry *choice = p->type == TR_CHOICE ? tr_resolve_entry(s, p->key) : NULL;
-        if (choice && choice->node && strcmp(choice->node->text, law->driver_choice) == 0)
-            return tr_text_fail(c->st, choice->node->mark, "`%s: %s` of the law %s is for `kind: contact` only", p->key,
-                                law->driver_choice, law->name);
-    }
-    return true;
-}
-
-/* The approach of a line contact counts from a depth d: no contact is as wide. At a = d the overlap is (1 + ln 4)/4 d^2/R.
- */
-static bool check_depth(reader *c, const tr_scope *s) {
-    const tr_entry *depth = tr_resolve_entry(s, "depth"), *E_star = tr_resolve_entry(s, "E_star");
-    if (!depth || depth->law) return true; /* its law is not chosen */
-    const tr_scene_pair *pair = &c->scene->pair;
-    double d = *(double *)depth->value, R = pair->R_star, E = *(double *)E_star->value;
-    if (d == 0) d = 2 * sqrt(pair->R1 * pair->R2) / M_E; /* which 0 stands for */
-    for (int i = 0; i < c->scene->n_segments; i++) {
-        const tr_scene_segment *g = &c->scene->path[i];
-        double a = sqrt(4 * g->force * R / (M_PI * E));
-        bool by_force = !isnan(g->force), deep = by_force ? a < d : g->overlap < (0.25 + M_LN2 / 2) * d * d / R;
-        if (!deep)
-            return tr_text_fail(
-                c->st, tr_resolve_entry(scope_of(c, "path", i), by_force ? "force" : "overlap")->node->mark,
-                "this presses the contact of `laws.%d` as wide as its depth, %.3g m; give a smaller %s or "
-                "a larger `bodies.depth` or `bodies.Lambda`",
-                s->item, d, by_force ? "force" : "overlap");
-    }
-    return true;
-}
-
-static bool needed(const tr_scope *s, const tr_param_table *law) {
-    return !law->demands_if || *(const bool *)tr_resolve_entry(s, law->demands_if)->value;
-}
-
-/* What a law must know of a prescribed path. */
-static bool check_demands(reader *c, const tr_scope *s, const char *slot, const tr_param_table *law) {
-    const tr_scene *scene = c->scene;
-    if (!needed(s, law)) return true;
-    if (law->demands & TR_NEEDS_DENSITY && scene->pair.density == 0)
-        return tr_text_fail(c->st, scope_of(c, "bodies", -1)->mark,
-                            "`bodies.density` is missing: %s law %s of `%s.%d` depends on the inertia of the bodies",
-                            slot, law->name, s->section, s->item);
-    for (int i = 0; i < scene->n_segments; i++) {
-        const tr_scope *segment = scope_of(c, "path", i);
-        if (law->demands & TR_NEEDS_TIME && scene->path[i].time == 0)
-            return tr_text_fail(c->st, segment->mark,
-                                "`path.%d.time` is missing: %s law %s of `%s.%d` depends on the rate", i, slot,
-                                law->name, s->section, s->item);
-    }
-    return true;
-}
-
-static bool check_laws(reader *c, const tr_scope *s, const void *base) {
-    for (int k = 0; k < TR_SLOTS; k++) {
-        tr_law_place slot = tr_tables_slot(c->r.catalog, k);
-        const tr_scene_law *law = (const void *)((const char *)base + slot.offset);
-        const tr_param_table *table = slot.laws[law->law];
-        if (!check_law(c, s, slot.key, table)) return false;
-        if (c->scene->kind == TR_KIND_CONTACT && !check_demands(c, s, slot.key, table)) return false;
-    }
-    return c->scene->kind != TR_KIND_CONTACT || check_depth(c, s);
-}
-
-/* What no single row can say. */
-static bool check_together(reader *c) {
-    for (int i = 0; i < c->r.n_scopes; i++) {
-        const tr_scope *s = &c->r.scopes[i];
-        const tr_scene_sample *sample = &c->scene->sample;
-        if (strcmp(s->section, "contact") == 0 && !check_laws(c, s, &c->scene->contact)) return false;
-        if (strcmp(s->section, "laws") == 0 && !check_laws(c, s, &c->scene->laws[s->item])) return false;
-        if (strcmp(s->section, "sample") == 0 && sample->r_min > sample->r_max)
-            return tr_text_fail(c->st, tr_resolve_entry(s, "r_min")->node->key_mark,
-                                "`sample.r_min` is %.9g m, more than `sample.r_max`, which is %.9g m", sample->r_min,
-                                sample->r_max);
-        if (strcmp(s->section, "walls") != 0) continue;
-        /* A normal that is already 1 long to rounding stays as it is: what was written reads back bit for bit. */
-        tr_scene_wall *wall = &c->scene->walls[s->item];
-        double length = hypot(wall->nx, wall->ny);
-        if (length < 1e-9) return tr_text_fail(c->st, s->mark, "the normal (nx, ny) of `walls.%d` is zero", s->item);
-        if (fabs(length - 1) > 4 * DBL_EPSILON) wall->nx /= length, wall->ny /= length;
-    }
-    return true;
-}
-
 static bool read_scene(reader *c) {
     if (!check_type(c, c->root, TR_NODE_MAPPING, "a case")) return false;
     if (!reserve(c) || !read_root(c)) return false;
     for (int i = 0; i < tr_n_sections; i++) {
         const tr_section *t = &tr_sections[i];
-        bool repeated = i && strcmp(t->key, t[-1].key) == 0;
-        if (!*t->key || !(t->kinds & c->kind) || repeated) continue;
+        if (!*t->key || !tr_tables_begins(i, c->kind)) continue;
         if (!(is_list(t) ? read_list(c, t) : read_mapping(c, t))) return false;
     }
-    return resolve_all(c) && check_together(c);
+    return resolve_all(c) && tr_check_together(&c->r, c->scene);
 }
 
 static bool apply_sets(reader *c, tr_source *sources, const char *const *sets, int n_sets) {

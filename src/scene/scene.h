@@ -10,7 +10,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-typedef enum tr_kind { TR_KIND_BIAXIAL, TR_KIND_BODIES, TR_KIND_CONTACT } tr_kind; /* order of the choices of `kind:` */
+/* In the order of the choices of `kind:`. */
+typedef enum tr_kind { TR_KIND_BIAXIAL, TR_KIND_BODIES, TR_KIND_CONTACT, TR_KIND_PATCH } tr_kind;
 
 typedef enum tr_color { TR_COLOR_MOBILISATION, TR_COLOR_SLIDING, TR_COLOR_ROLLING } tr_color;
 
@@ -78,7 +79,7 @@ typedef struct tr_scene_wall {
 typedef struct tr_scene_pair {
     double R1, R2, E, nu;  /* [m m Pa 1] */
     double density;        /* [kg/m^3]; 0: not given, for few laws need it */
-    double depth, Lambda;  /* [m 1]; one of them is NaN: not given */
+    double depth, Lambda;  /* [m 1]; of kind: patch at the root of the case. One of them is NaN: not given */
     double d;              /* of the line contact, however given [m] */
     double E_star, R_star; /* contact modulus [Pa] and 1/(1/R1 + 1/R2) [m]: they follow from the others */
 } tr_scene_pair;
@@ -89,9 +90,20 @@ typedef struct tr_scene_segment {
     double force;       /* normal force at the end [N/m]; the first segment starts at its own. NaN: not given, then */
     double overlap;     /* overlap at the end [m]; NaN: not given */
     double slide, roll; /* over the segment [m]: int Vs dt, -int (s1 + s2)/2 dt */
-    double time;        /* that it takes [s]; 0: not given, for most laws do not care */
+    double
+        tangential; /* kind: patch: Q at the end [N/m], linear from where it was; then slide is NaN. NaN: not given */
+    double time;    /* that it takes [s]; 0: not given, for most laws do not care */
     int steps;
 } tr_scene_segment;
+
+typedef enum tr_solver { TR_HALF_PLANE, TR_BRUSH, TR_CARTER, TR_CATTANEO } tr_solver; /* order of `solver:` */
+
+/* The inside of one contact. */
+typedef struct tr_scene_patch {
+    double mu;
+    int solver, elements;
+    int snapshots, frames; /* instants of patch.csv, pictures */
+} tr_scene_patch;
 
 typedef struct tr_scene {
     tr_kind kind;
@@ -118,6 +130,7 @@ typedef struct tr_scene {
     tr_scene_segment *path; /* owned by the scene */
     char *path_file; /* owned by the scene: a CSV file that holds the path, and path is empty; NULL: path is here */
     int n_laws, n_segments;
+    tr_scene_patch patch; /* kind: patch, which has pair and path too */
 } tr_scene;
 
 /* Reads a case. text: the bytes of the file (need not end in NUL; at most 1 MB). name: how messages call the file.

@@ -17,8 +17,8 @@
 static const tr_param root_worlds[] = {SHAPE};
 static const tr_param bodies_shape[] = {SHAPE};
 static const tr_param root[] = {
-    {"kind", TR_CHOICE, TR_DIM_NUMBER, "", NULL, 0, 0, "biaxial|bodies|contact", AT(kind),
-     "what is simulated: a biaxial test, a few bodies, or one contact along a path"},
+    {"kind", TR_CHOICE, TR_DIM_NUMBER, "", NULL, 0, 0, "biaxial|bodies|contact|patch", AT(kind),
+     "what is simulated: a biaxial test, a few bodies, one contact along a path, or the inside of one"},
 };
 static const tr_param root_biaxial[] = {
     {"seed", TR_SEED, TR_DIM_NUMBER, "", "1", 0, 0, NULL, AT(seed),
@@ -27,15 +27,40 @@ static const tr_param root_biaxial[] = {
 static const tr_param root_bodies[] = {
     {"time_end", TR_REAL, TR_DIM_TIME, "s", NULL, 1e-12, 1e6, NULL, AT(time_end), "time that the run covers"},
 };
-static const tr_param root_contact[] = {
+static const tr_param root_pair[] = {
     {"E_star", TR_REAL, TR_DIM_MODULUS, "Pa", "bodies.E/(2*(1 - bodies.nu^2))", 1e-4, 1e18, NULL, AT(pair.E_star),
      "contact modulus, 1/E_star = sum of (1 - nu^2)/E of the two"},
     {"R_star", TR_REAL, TR_DIM_LENGTH, "m", "bodies.R1*bodies.R2/(bodies.R1 + bodies.R2)", 1e-10, 1e3, NULL,
      AT(pair.R_star), "1/R_star = 1/R1 + 1/R2"},
+};
+static const tr_param root_contact[] = {
     {"nu", TR_REAL, TR_DIM_NUMBER, "1", "bodies.nu", -0.999, 0.5, NULL, AT(pair.nu), "Poisson's ratio of both"},
     {"depth", TR_REAL, TR_DIM_LENGTH, "m", "bodies.depth", 1e-12, 1e6, NULL, AT(pair.d),
      "d of the line contact, whose approach is (2P/(pi E_star)) (ln(2d/a) + 1/2)"},
 };
+#define DEPTH(default_)                                                                                                \
+    {"depth",                                                                                                          \
+     TR_REAL,                                                                                                          \
+     TR_DIM_LENGTH,                                                                                                    \
+     "m",                                                                                                              \
+     default_,                                                                                                         \
+     1e-12,                                                                                                            \
+     1e6,                                                                                                              \
+     "Lambda",                                                                                                         \
+     AT(pair.depth),                                                                                                   \
+     "d of the line contact; by default that of two disks pressed between plates [Johnson1985]"},                      \
+    {                                                                                                                  \
+        "Lambda", TR_REAL, TR_DIM_NUMBER, "1", NULL, 0.7, 100, "depth", AT(pair.Lambda),                               \
+            "ln(2d/a) at the force of the first segment: another way to give the depth"                                \
+    }
+static const tr_param root_patch[] = {
+    {"mu", TR_REAL, TR_DIM_NUMBER, "1", NULL, 1e-9, 100, NULL, AT(patch.mu), "friction coefficient"},
+    {"solver", TR_CHOICE, TR_DIM_NUMBER, "", "half-plane", 0, 0, "half-plane|brush|carter|cattaneo", AT(patch.solver),
+     "half-plane: exact, transient; brush: Winkler bed; carter: steady rolling; cattaneo: sliding from rest"},
+    {"elements", TR_COUNT, TR_DIM_NUMBER, "", "200", 3, 4000, NULL, AT(patch.elements), "elements across the contact"},
+    DEPTH("2*sqrt(bodies.R1*bodies.R2)/exp(1)"),
+};
+static const tr_param bodies_depth[] = {DEPTH("2*sqrt(R1*R2)/exp(1)")};
 const char tr_tables_depth_from_Lambda[] = "path.0.a*exp(bodies.Lambda)/2";
 #undef STRUCT
 
@@ -115,6 +140,13 @@ static const tr_param output_biaxial[] = {
 };
 #undef STRUCT
 
+#define STRUCT tr_scene_patch
+static const tr_param output_patch[] = {
+    {"frames", TR_COUNT, TR_DIM_NUMBER, "", "20", 0, 1e5, NULL, AT(frames), "pictures over the path; 0: none"},
+    {"snapshots", TR_COUNT, TR_DIM_NUMBER, "", "20", 0, 1e5, NULL, AT(snapshots), "instants listed in patch.csv"},
+};
+#undef STRUCT
+
 #define STRUCT tr_scene_disk
 static const tr_param disk[] = {
     {"radius", TR_REAL, TR_DIM_LENGTH, "m", NULL, 1e-9, 1e3, NULL, AT(radius), "radius"},
@@ -149,12 +181,10 @@ static const tr_param pair[] = {
     {"R2", TR_REAL, TR_DIM_LENGTH, "m", NULL, 1e-9, 1e3, NULL, AT(R2), "radius of body 2"},
     {"E", TR_REAL, TR_DIM_MODULUS, "Pa", NULL, 1e-3, 1e15, NULL, AT(E), "Young's modulus of both"},
     {"nu", TR_REAL, TR_DIM_NUMBER, "1", NULL, -0.999, 0.5, NULL, AT(nu), "Poisson's ratio of both"},
+};
+static const tr_param pair_density[] = {
     {"density", TR_REAL, TR_DIM_DENSITY, "kg/m^3", "0", 0, 1e6, NULL, AT(density),
      "density of both, for laws that know inertia; 0: not given"},
-    {"depth", TR_REAL, TR_DIM_LENGTH, "m", "2*sqrt(R1*R2)/exp(1)", 1e-12, 1e6, "Lambda", AT(depth),
-     "d of the line contact; by default that of two disks pressed between plates [Johnson1985]"},
-    {"Lambda", TR_REAL, TR_DIM_NUMBER, "1", NULL, 0.7, 100, "depth", AT(Lambda),
-     "ln(2d/a) at the force of the first segment: another way to give the depth"},
 };
 #undef STRUCT
 
@@ -173,12 +203,18 @@ static const tr_param laws[] = {
 static const tr_param path[] = {
     {"force", TR_REAL, TR_DIM_FORCE, "N/m|N", NULL, 0, 1e12, "overlap", AT(force),
      "normal force at the end, linear up to there; the first segment starts at its own"},
+    {"slide", TR_REAL, TR_DIM_LENGTH, "m", "0", -1e3, 1e3, "tangential", AT(slide), "int Vs dt over the segment"},
+    {"roll", TR_REAL, TR_DIM_LENGTH, "m", "0", -1e3, 1e3, NULL, AT(roll), "-int (s1 + s2)/2 dt over the segment"},
+    {"steps", TR_COUNT, TR_DIM_NUMBER, "", "100", 1, 1e6, NULL, AT(steps), "steps of the segment"},
+};
+static const tr_param path_contact[] = {
     {"overlap", TR_REAL, TR_DIM_LENGTH, "m", NULL, -1e3, 1e3, "force", AT(overlap),
      "overlap at the end, in place of the force; 0 or less: the contact opens"},
-    {"slide", TR_REAL, TR_DIM_LENGTH, "m", "0", -1e3, 1e3, NULL, AT(slide), "int Vs dt over the segment"},
-    {"roll", TR_REAL, TR_DIM_LENGTH, "m", "0", -1e3, 1e3, NULL, AT(roll), "-int (s1 + s2)/2 dt over the segment"},
-    {"steps", TR_COUNT, TR_DIM_NUMBER, "", "100", 1, 1e6, NULL, AT(steps), "steps of the laws"},
     {"time", TR_REAL, TR_DIM_TIME, "s", "0", 0, 1e9, NULL, AT(time), "for laws that depend on the rate; 0: not given"},
+};
+static const tr_param path_patch[] = {
+    {"tangential", TR_REAL, TR_DIM_FORCE, "N/m|N", NULL, -1e12, 1e12, "slide", AT(tangential),
+     "friction force at the end, linear up to there, in place of sliding"},
 };
 #undef STRUCT
 
@@ -200,6 +236,8 @@ const tr_section tr_sections[] = {
     SECTION("", "", TR_FOR_WORLDS, root_worlds, .offset = 0),
     SECTION("", "", TR_FOR_BIAXIAL, root_biaxial, .offset = 0),
     SECTION("", "", TR_FOR_BODIES, root_bodies, .offset = 0),
+    SECTION("", "", TR_FOR_PATCH, root_patch, .offset = 0),
+    SECTION("", "", TR_FOR_PAIR, root_pair, .offset = 0, .derived = true),
     SECTION("", "", TR_FOR_CONTACT, root_contact, .offset = 0, .derived = true),
     SECTION("sample", "disks before compaction", TR_FOR_BIAXIAL, sample, .offset = AT(sample)),
     SECTION("contact", "what two disks do to each other", TR_FOR_WORLDS, contact, .offset = AT(contact),
@@ -211,17 +249,36 @@ const tr_section tr_sections[] = {
     SECTION("step", "time step", TR_FOR_WORLDS, step, .offset = AT(step)),
     SECTION("output", "what is written", TR_FOR_WORLDS, output, .offset = AT(output)),
     SECTION("output", "", TR_FOR_BIAXIAL, output_biaxial, .offset = AT(output)),
+    SECTION("output", "what is written", TR_FOR_PATCH, output_patch, .offset = AT(patch)),
     SECTION("disks", "", TR_FOR_BODIES, disk, LIST(disks, n_disks, 1, 1000)),
     SECTION("walls", "rigid planes", TR_FOR_BODIES, wall, LIST(walls, n_walls, 0, 100)),
     SECTION("bodies", "the two in contact, of one material", TR_FOR_CONTACT, bodies_shape, .offset = 0),
-    SECTION("bodies", "", TR_FOR_CONTACT, pair, .offset = AT(pair)),
+    SECTION("bodies", "the two in contact, of one material", TR_FOR_PAIR, pair, .offset = AT(pair)),
+    SECTION("bodies", "", TR_FOR_CONTACT, pair_density, .offset = AT(pair)),
+    SECTION("bodies", "", TR_FOR_CONTACT, bodies_depth, .offset = 0),
     SECTION("laws", "each runs along the path by itself", TR_FOR_CONTACT, laws, LIST(laws, n_laws, 1, TR_MAX_LAWS),
             .first_slot = 1),
-    SECTION("path", "of the contact; the line of centres stands still", TR_FOR_CONTACT, path,
+    SECTION("path", "of the contact; the line of centres stands still", TR_FOR_PAIR, path,
             LIST(path, n_segments, 1, 1000), .file = AT(path_file)),
-    SECTION("path", "", TR_FOR_CONTACT, path_start, LIST(path, n_segments, 1, 1000), .derived = true),
+    SECTION("path", "", TR_FOR_CONTACT, path_contact, LIST(path, n_segments, 1, 1000)),
+    SECTION("path", "", TR_FOR_PATCH, path_patch, LIST(path, n_segments, 1, 1000)),
+    SECTION("path", "", TR_FOR_PAIR, path_start, LIST(path, n_segments, 1, 1000), .derived = true),
 };
 const int tr_n_sections = sizeof tr_sections / sizeof *tr_sections;
+
+bool tr_tables_begins(int i, unsigned kind) {
+    if (!(tr_sections[i].kinds & kind)) return false;
+    for (int k = i - 1; k >= 0 && strcmp(tr_sections[k].key, tr_sections[i].key) == 0; k--)
+        if (tr_sections[k].kinds & kind) return false;
+    return true;
+}
+
+const tr_section *tr_tables_next(const tr_section *section, unsigned kind) {
+    const tr_section *end = tr_sections + tr_n_sections;
+    for (const tr_section *t = section + 1; t < end && strcmp(t->key, section->key) == 0; t++)
+        if (t->kinds & kind) return t;
+    return NULL;
+}
 
 #undef STRUCT
 

@@ -10,8 +10,10 @@ enum {
     TR_FOR_BIAXIAL = 1 << TR_KIND_BIAXIAL,
     TR_FOR_BODIES = 1 << TR_KIND_BODIES,
     TR_FOR_CONTACT = 1 << TR_KIND_CONTACT,
+    TR_FOR_PATCH = 1 << TR_KIND_PATCH,
+    TR_FOR_PAIR = TR_FOR_CONTACT | TR_FOR_PATCH,    /* kinds in which a path drives one contact */
     TR_FOR_WORLDS = TR_FOR_BIAXIAL | TR_FOR_BODIES, /* kinds in which forces move disks */
-    TR_FOR_ALL = TR_FOR_WORLDS | TR_FOR_CONTACT,
+    TR_FOR_ALL = TR_FOR_WORLDS | TR_FOR_PAIR,
     TR_SLOTS = 3
 };
 
@@ -37,7 +39,12 @@ typedef struct tr_section {
 extern const tr_section tr_sections[];
 extern const int tr_n_sections;
 
-/* Default of the root's `depth` where `bodies.Lambda` is given. */
+/* Section i is for this kind (TR_FOR_*) and no neighbour before it with its key is. */
+bool tr_tables_begins(int i, unsigned kind);
+/* The next of these neighbours that is for this kind, or NULL. */
+const tr_section *tr_tables_next(const tr_section *section, unsigned kind);
+
+/* kind: contact: default of the root's `depth` where `bodies.Lambda` is given. */
 extern const char tr_tables_depth_from_Lambda[];
 
 /* The places for laws: normal, friction, rolling. A slot's key stands in `contact`, or in an item of `laws`, and the

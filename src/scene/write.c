@@ -87,9 +87,11 @@ static void write_list(const writer *w, const tr_section *t) {
     for (int i = 0; i < n; i++) {
         const char *item = items + (size_t)i * t->item;
         const char *lead = "  - ";
-        for (int k = 0; k < t->n; k++)
-            if (write_key(w, &t->params[k], item, lead, i == 0)) lead = "    ";
-        if (t->first_slot) write_laws(w, item, t->first_slot, "    ");
+        for (const tr_section *u = t; u; u = tr_tables_next(u, 1u << w->scene->kind)) {
+            for (int k = 0; k < u->n && !u->derived; k++)
+                if (write_key(w, &u->params[k], item, lead, i == 0)) lead = "    ";
+            if (u->first_slot) write_laws(w, item, u->first_slot, "    ");
+        }
     }
 }
 
@@ -97,6 +99,7 @@ static void write_section(const writer *w, const tr_section *t, bool begins) {
     if (t->derived) return;
     const char *file = NULL;
     if (t->file) memcpy(&file, (const char *)w->scene + t->file, sizeof file);
+    if (file && !begins) return;
     if (file) {
         fprintf(w->out, "\n%s: \"", t->key);
         for (; *file; file++) fprintf(w->out, strchr("\"\\", *file) ? "\\%c" : "%c", *file);
@@ -105,7 +108,7 @@ static void write_section(const writer *w, const tr_section *t, bool begins) {
     }
     if (*t->key && begins) fprintf(w->out, *t->doc ? "\n%s: # %s\n" : "\n%s:\n", t->key, t->doc);
     if (t->item) {
-        write_list(w, t);
+        if (begins) write_list(w, t);
         return;
     }
     for (int i = 0; i < t->n; i++)
@@ -120,8 +123,8 @@ char *tr_scene_write(const tr_scene *scene, const tr_param_catalog *catalog, tr_
     if (w.out) {
         for (int i = 0; i < tr_n_sections; i++) {
             const tr_section *t = &tr_sections[i];
-            bool begins = i == 0 || strcmp(t->key, t[-1].key) != 0;
-            if (t->kinds & (1u << scene->kind)) write_section(&w, t, begins);
+            unsigned kind = 1u << scene->kind;
+            if (t->kinds & kind) write_section(&w, t, tr_tables_begins(i, kind));
         }
         bool failed = ferror(w.out);
         if (fclose(w.out) == 0 && !failed) return text;

@@ -3,7 +3,9 @@
 
 #include "base/alloc.h"
 #include "laws/law.h"
+#include "patch/half_plane.h"
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,6 +18,8 @@ typedef struct line {
     tr_law_data friction_data, rolling_data;
     double hist[2][TR_MAX_HIST], pair[2][TR_MAX_PAIR];
     double *hist_at[2][TR_MAX_HIST], *pair_at[2][TR_MAX_PAIR];
+    tr_half_plane *exact; /* of the law that is solved by patch/, else NULL */
+    double mu;            /* of it */
     double R1, R2, g1, E_star;
     double P, delta;             /* now */
     double P_start, delta_start; /* at the start of the segment */
@@ -82,6 +86,16 @@ static void set_line(line *l, const tr_scene_contact *laws, const tr_scene *scen
     l->tile.dx[0] = R1 + R2;
 }
 
+static bool set_exact(line *l, const tr_scene_contact *laws, const tr_scene *scene, tr_status *st) {
+    const double *par = laws->friction.par;
+    if (!(l->friction->needs & TR_SOLVED_BY_PATCH)) return true;
+    double depth = *tr_law_value(l->friction, par, "depth");
+    if (depth == 0) depth = 2 * sqrt(l->R1 * l->R2) / M_E;
+    l->mu = *tr_law_value(l->friction, par, "mu");
+    tr_patch_pair pair = {scene->pair.R_star, l->E_star, depth, l->mu};
+    return (l->exact = tr_half_plane_new(&pair, *tr_law_count(l->friction, par, "elements"), st)) != NULL;
+}
+
 /* The normal law is a curve here, without its dashpot: what is given of force and overlap gives the other. */
 static void press(line *l, bool by_force, double value) {
     if (by_force) {
@@ -110,13 +124,19 @@ tr_contact *tr_contact_new(const tr_scene *scene, tr_status *st) {
     *c = (tr_contact){.scene = scene, .k = 1};
     c->lines = tr_alloc((size_t)scene->n_laws, sizeof *c->lines, st);
     if (!c->lines) return free(c), NULL;
-    for (int i = 0; i < scene->n_laws; i++) set_line(&c->lines[i], &scene->laws[i], scene);
+    bool ok = true;
+    for (int i = 0; ok && i < scene->n_laws; i++) {
+        set_line(&c->lines[i], &scene->laws[i], scene);
+        ok = set_exact(&c->lines[i], &scene->laws[i], scene, st);
+    }
+    if (!ok) return tr_contact_free(c), NULL;
     begin_segment(c);
     return c;
 }
 
 void tr_contact_free(tr_contact *c) {
     if (!c) return;
+    for (int i = 0; i < c->scene->n_laws; i++) tr_half_plane_free(c->lines[i].exact);
     free(c->lines);
     free(c);
 }
@@ -128,7 +148,7 @@ int64_t tr_contact_steps(const tr_scene *scene) {
 }
 
 /* The pipeline of an assembly, less the normal law. */
-static void run_passes(line *l, double w1, double w2, double dt) {
+static bool run_passes(line *l, double w1, double w2, double dt, tr_status *st) {
     tr_tile *t = &l->tile;
     t->dt = dt;
     t->w1[0] = w1, t->w2[0] = w2;
@@ -136,13 +156,20 @@ static void run_passes(line *l, double w1, double w2, double dt) {
     t->delta[0] = l->delta;
     t->f_elastic[0] = t->f_n[0] = l->P;
     if (l->friction->step) l->friction->step(t, &l->friction_data);
+    if (l->exact) {
+        tr_patch_step step = {.P = l->P, .dr = -0.5 * (t->s1[0] + t->s2[0]) * dt, .du = t->v_s[0] * dt};
+        if (!tr_half_plane_step(l->exact, &step, st)) return false;
+        t->f_t[0] = tr_half_plane_state(l->exact)->Q;
+    }
     if (l->rolling_velocity) l->rolling_velocity(t, NULL);
     if (l->rolling->step) l->rolling->step(t, &l->rolling_data);
+    return true;
 }
 
 static void read_line(const line *l, tr_contact_state *s) {
     tr_lane energy, bound = {0};
     if (l->friction->step) l->friction->state(&l->tile, &l->friction_data, energy, bound);
+    if (l->exact) bound[0] = l->mu * l->P;
     s->Q = l->tile.f_t[0] + 0.0; /* a zero has no sign in a table */
     s->q = bound[0] > 0 ? fabs(s->Q) / bound[0] : 0;
     s->moment_1 = l->tile.m1[0] + 0.0, s->moment_2 = l->tile.m2[0] + 0.0;
@@ -169,7 +196,12 @@ bool tr_contact_step(tr_contact *c, tr_contact_state *state, tr_status *st) {
         line *l = &c->lines[i];
         double start = by_force ? l->P_start : l->delta_start;
         press(l, by_force, last ? goal : start + part * (goal - start));
-        run_passes(l, w1, w2, dt);
+        if (!run_passes(l, w1, w2, dt, st)) {
+            size_t used = strlen(st->text);
+            snprintf(st->text + used, sizeof st->text - used, ", in laws.%d at step %lld (path.%d)", i,
+                     (long long)s.step, s.segment);
+            return false;
+        }
         s.law = i, s.P = l->P, s.overlap = l->delta, s.a = half_width(c->scene, l->E_star, l->P);
         read_line(l, &s);
         if (!is_finite(&s))

@@ -21,6 +21,8 @@ bool tr_run(const tr_scene *scene, const tr_run_options *options, tr_run_report 
         return tr_run_bodies(scene, options, report, st);
     case TR_KIND_CONTACT:
         return tr_run_contact(scene, options, report, st);
+    case TR_KIND_PATCH:
+        return tr_run_patch(scene, options, report, st);
     }
     return false;
 }
@@ -32,7 +34,8 @@ bool tr_run_check(const tr_scene *scene, tr_status *st) {
     case TR_KIND_BODIES:
         return tr_run_check_bodies(scene, st);
     case TR_KIND_CONTACT:
-        return tr_run_check_contact(scene, st);
+    case TR_KIND_PATCH:
+        return tr_run_check_path(scene, st);
     }
     return false;
 }
@@ -64,16 +67,15 @@ static int lists_of(int asked, int64_t total) {
     return asked <= total ? asked : (int)total;
 }
 
-/* Item j of n, from 0 to the end; a single one at the end. n <= total + 1, so no two fall on one step. */
-static bool is_due(int j, int n, int64_t k, int64_t total) {
+bool tr_run_is_due(int j, int n, int64_t k, int64_t total) {
     return j < n && k == (n == 1 ? total : (int64_t)llround((double)total * j / (n - 1)));
 }
 
 unsigned tr_outputs_due(const tr_outputs *o, int64_t k, int64_t total) {
     const tr_scene_output *want = &o->scene->output;
     int lists = lists_of(want->contacts, total);
-    unsigned due = is_due(o->rows, rows_of(want->rows, total), k, total) ? TR_DUE_ROW : 0;
-    if (is_due(o->frames, rows_of(want->frames, total), k, total)) due |= TR_DUE_FRAME;
+    unsigned due = tr_run_is_due(o->rows, rows_of(want->rows, total), k, total) ? TR_DUE_ROW : 0;
+    if (tr_run_is_due(o->film.frames, rows_of(want->frames, total), k, total)) due |= TR_DUE_FRAME;
     if (o->instants < lists && k == total * (o->instants + 1) / lists) due |= TR_DUE_CONTACTS;
     return due;
 }
@@ -119,27 +121,14 @@ void tr_run_progress(const tr_run_options *options, const char *stage, double fr
     if (options->progress) options->progress(options->context, stage, fraction);
 }
 
-/* Frames a second: a film of a few frames lasts four seconds, but never crawls. */
-static int frame_rate(int frames) {
-    return (int)fmax(5, fmin(30, frames / 4.0));
-}
-
 bool tr_outputs_open(tr_outputs *o, const tr_scene *scene, const tr_run_options *options, const char *film,
                      int64_t total, tr_run_report *report, tr_status *st) {
     *o = (tr_outputs){.scene = scene, .options = options};
-    char path[TR_PATH];
     note_fewer(o, report, total);
     if (!tr_file_open(&o->history, options->dir, "history.csv", st)) return false;
     if (scene->output.contacts && !tr_file_open(&o->contacts, options->dir, "contacts.csv", st)) return false;
-    if (!scene->output.frames) return true;
-    if (!tr_dir_path(path, options->dir, "frames", st)) return false;
-    if (mkdir(path, 0777) && errno != EEXIST)
-        return tr_status_fail(st, TR_FILE, "error: cannot make directory %s: %s", path, strerror(errno));
-    if (!(o->canvas = tr_canvas_create(st))) return false;
-    if (!tr_video_available())
-        return tr_run_note(report, "no film: ffmpeg is not installed; frames/ has the pictures"), true;
-    if (!tr_dir_path(path, options->dir, film, st)) return false;
-    return (o->video = tr_video_open(path, frame_rate(rows_of(scene->output.frames, total)), st)) != NULL;
+    int frames = scene->output.frames ? rows_of(scene->output.frames, total) : 0;
+    return tr_film_open(&o->film, options->dir, film, frames, report, st);
 }
 
 bool tr_outputs_row(tr_outputs *o, const tr_row *row, tr_status *st) {
@@ -161,12 +150,8 @@ bool tr_outputs_contacts(tr_outputs *o, double time, double strain, int n_record
 }
 
 bool tr_outputs_frame(tr_outputs *o, tr_draw *draw, const tr_view *view, tr_status *st) {
-    char path[TR_PATH + 32];
-    draw(o->canvas, view);
-    snprintf(path, sizeof path, "%s/frames/%05d.png", o->options->dir, o->frames);
-    if (!tr_canvas_png(o->canvas, path, st)) return false;
-    o->frames++;
-    return !o->video || tr_video_frame(o->video, o->canvas, st);
+    draw(o->film.canvas, view);
+    return tr_film_frame(&o->film, st);
 }
 
 /* Gives a table of n rows its name; one that could not be written is already gone. */
@@ -180,15 +165,14 @@ bool tr_outputs_close(tr_outputs *o, tr_status *st) {
     tr_status closing = {0};
     bool table = close_table(&o->history, o->rows, &closing);
     close_table(&o->contacts, o->instants, &closing);
-    bool film = o->video && tr_video_close(o->video, o->frames > 0, &closing);
-    tr_canvas_free(o->canvas);
+    bool film = tr_film_close(&o->film, &closing);
     free(o->records);
-    o->video = NULL, o->canvas = NULL, o->records = NULL;
+    o->records = NULL;
     if (closing.code) tr_status_fail(st, closing.code, "%s", closing.text);
     if (!st->code) return true;
     size_t used = strlen(st->text);
     snprintf(st->text + used, sizeof st->text - used,
              "\nkept in %s: %d rows of history.csv, %d frames%s; not finished, no summary.json", o->options->dir,
-             table ? o->rows : 0, o->frames, film ? " and their film" : "");
+             table ? o->rows : 0, o->film.frames, film ? " and their film" : "");
     return false;
 }

@@ -49,7 +49,7 @@ static bool look(show *s, unsigned due, tr_status *st) {
     if (st->code) return false;
     if (s->rehearsal) {
         widen_view(s, n);
-        s->out.frames++;
+        s->out.film.frames++;
         return true;
     }
     if (due & TR_DUE_ROW && !write_row(s, st)) return false;

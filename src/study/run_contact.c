@@ -40,21 +40,25 @@ static void keep_result(tr_path_result *r, const tr_contact_state *s) {
     r->moment_max = fmax(r->moment_max, fmax(fabs(s->moment_1), fabs(s->moment_2)));
 }
 
+void tr_run_contact_row(tr_row *row, const tr_contact_state *s) {
+    tr_row_add(row, s->law, "law");
+    tr_row_add(row, (double)s->step, "step");
+    tr_row_add(row, s->segment, "segment");
+    tr_row_add(row, s->u_slide, "u_slide_m");
+    tr_row_add(row, s->u_roll, "u_roll_m");
+    tr_row_add(row, s->P, "P_N_per_m|P_N");
+    tr_row_add(row, s->Q, "Q_N_per_m|Q_N");
+    tr_row_add(row, s->q, "q");
+    tr_row_add(row, s->a, "a_m");
+    tr_row_add(row, s->moment_1, "moment_1_N|moment_1_N_m");
+    tr_row_add(row, s->moment_2, "moment_2_N|moment_2_N_m");
+    tr_row_add(row, s->f_r, "f_r_N_per_m|f_r_N");
+    tr_row_add(row, s->overlap, "overlap_m");
+}
+
 static bool write_state(drive *d, const tr_contact_state *s, tr_status *st) {
     tr_row row = {.shape = d->scene->shape};
-    tr_row_add(&row, s->law, "law");
-    tr_row_add(&row, (double)s->step, "step");
-    tr_row_add(&row, s->segment, "segment");
-    tr_row_add(&row, s->u_slide, "u_slide_m");
-    tr_row_add(&row, s->u_roll, "u_roll_m");
-    tr_row_add(&row, s->P, "P_N_per_m|P_N");
-    tr_row_add(&row, s->Q, "Q_N_per_m|Q_N");
-    tr_row_add(&row, s->q, "q");
-    tr_row_add(&row, s->a, "a_m");
-    tr_row_add(&row, s->moment_1, "moment_1_N|moment_1_N_m");
-    tr_row_add(&row, s->moment_2, "moment_2_N|moment_2_N_m");
-    tr_row_add(&row, s->f_r, "f_r_N_per_m|f_r_N");
-    tr_row_add(&row, s->overlap, "overlap_m");
+    tr_run_contact_row(&row, s);
     return tr_row_write_exact(&row, &d->table, st);
 }
 
@@ -146,25 +150,28 @@ static bool run(const tr_scene *scene, const tr_run_options *options, tr_run_rep
     return ok;
 }
 
-/* The scene with its path from the file, if it is in one; the path is the copy's own. */
-static bool with_path(const tr_scene *scene, tr_scene *played, tr_status *st) {
+bool tr_run_with_path(const tr_scene *scene, tr_scene *played, tr_status *st) {
     *played = *scene;
     if (!scene->path_file || tr_path_read(played, st)) return true;
     free(played->path);
     return false;
 }
 
+void tr_run_drop_path(tr_scene *played) {
+    if (played->path_file) free(played->path);
+}
+
 bool tr_run_contact(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st) {
     tr_scene played;
-    if (!with_path(scene, &played, st)) return false;
+    if (!tr_run_with_path(scene, &played, st)) return false;
     bool ok = run(&played, options, report, st);
-    if (scene->path_file) free(played.path);
+    tr_run_drop_path(&played);
     return ok;
 }
 
-bool tr_run_check_contact(const tr_scene *scene, tr_status *st) {
+bool tr_run_check_path(const tr_scene *scene, tr_status *st) {
     tr_scene played;
-    if (!with_path(scene, &played, st)) return false;
-    if (scene->path_file) free(played.path);
+    if (!tr_run_with_path(scene, &played, st)) return false;
+    tr_run_drop_path(&played);
     return true;
 }

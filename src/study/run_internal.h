@@ -6,12 +6,22 @@
 #include "draw/draw.h"
 #include "out/dir.h"
 #include "out/table.h"
+#include "study/contact.h"
+#include "study/film.h"
 #include "study/run.h"
 
 bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st);
 bool tr_run_bodies(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st);
 bool tr_run_contact(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st);
-bool tr_run_check_contact(const tr_scene *scene, tr_status *st); /* reads the path of a file */
+bool tr_run_patch(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st);
+bool tr_run_check_path(const tr_scene *scene, tr_status *st); /* reads the path of a file */
+
+/* The scene with its path from the file, if it is in one. Free with tr_run_drop_path. */
+bool tr_run_with_path(const tr_scene *scene, tr_scene *played, tr_status *st);
+void tr_run_drop_path(tr_scene *played);
+
+/* One row of contact.csv. */
+void tr_run_contact_row(tr_row *row, const tr_contact_state *s);
 bool tr_run_check_biaxial(const tr_scene *scene, tr_status *st);
 bool tr_run_check_bodies(const tr_scene *scene, tr_status *st);
 
@@ -23,6 +33,8 @@ double tr_run_clock(void); /* wall time [s] */
 void tr_run_say(tr_run_report *report, const char *label, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 void tr_run_note(tr_run_report *report, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* Item j of n, from 0 to the end; a single one at the end. n <= total + 1, so no two fall on one step. */
+bool tr_run_is_due(int j, int n, int64_t k, int64_t total);
 bool tr_run_stopped(const tr_run_options *options);
 void tr_run_progress(const tr_run_options *options, const char *stage, double fraction);
 
@@ -31,9 +43,8 @@ typedef struct tr_outputs {
     const tr_scene *scene;
     const tr_run_options *options;
     tr_file history, contacts;
-    tr_canvas *canvas;          /* NULL: no frames asked, Cairo untouched */
-    tr_video *video;            /* NULL: no ffmpeg */
-    int rows, instants, frames; /* written so far */
+    tr_film film;
+    int rows, instants; /* written so far */
     tr_record *records;
     int capacity;
     double seconds; /* spent in them; the caller adds it up */

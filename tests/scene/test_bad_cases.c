@@ -51,18 +51,17 @@ static const bad_case rows[] = {
      "a.yaml:2:6: error: not valid YAML: mapping values are not allowed in this context\n seed: 1\n     ^"},
     {"kind: biaxial\n[a]: 1\n", 0, NULL, "a.yaml:2:1: error: a key must be plain text\n[a]: 1\n^"},
     {"seed: 1\n", 0, NULL,
-     "a.yaml:1:1: error: `kind` is missing: what is simulated: a biaxial test, a few bodies, or one contact along a "
-     "path\nseed: 1\n^"},
+     "a.yaml:1:1: error: `kind` is missing: what is simulated: a biaxial test, a few bodies, one contact along a path, "
+     "or the inside of one\nseed: 1\n^"},
     {"kind: triaxial\n", 0, NULL,
      "a.yaml:1:7: error: `triaxial` is not a choice for `kind` (did you mean `biaxial`?); allowed is biaxial | bodies "
-     "| "
-     "contact\nkind: triaxial\n      ^"},
+     "| contact | patch\nkind: triaxial\n      ^"},
     {"kind: biaxal\n", 0, NULL,
      "a.yaml:1:7: error: `biaxal` is not a choice for `kind` (did you mean `biaxial`?); allowed is biaxial | bodies | "
-     "contact\nkind: biaxal\n      ^"},
+     "contact | patch\nkind: biaxal\n      ^"},
     {"kind: [biaxial]\n", 0, NULL,
-     "a.yaml:1:7: error: `kind` must be a single value: what is simulated: a biaxial test, a few bodies, or one "
-     "contact along a path\nkind: "
+     "a.yaml:1:7: error: `kind` must be a single value: what is simulated: a biaxial test, a few bodies, one contact "
+     "along a path, or the inside of one\nkind: "
      "[biaxial]\n      ^"},
     {GOOD "smaple: {disks: 4}\n", 0, NULL,
      "a.yaml:5:1: error: unknown key `smaple` (did you mean `sample`?); allowed here: kind, shape, seed, sample, "
@@ -291,6 +290,60 @@ static void long_lines(void **state) {
 }
 
 /* kind: contact. The message begins with `begins`. */
+/* kind: patch. */
+static void patch_messages(void **state) {
+    (void)state;
+#define IN "kind: patch\nbodies: {R1: 10 mm, R2: 10 mm, E: 70 GPa, nu: 0.3}\n"
+    static const struct {
+        const char *text, *begins;
+    } rows[] = {
+        {IN "path: [{force: 1}]\n", "a.yaml:1:1: error: `mu` is missing: friction coefficient [1]\n"},
+        {IN "mu: 0\npath: [{force: 1}]\n", "a.yaml:3:5: error: `mu` is 0, allowed is 1e-09 to 100\n"},
+        {IN "mu: 0.3\nelements: 2\npath: [{force: 1}]\n",
+         "a.yaml:4:11: error: `elements` is 2, allowed is 3 to 4000\n"},
+        {IN "mu: 0.3\nsolver: exact\npath: [{force: 1}]\n", "a.yaml:4:9: error: `exact` is not a choice for `solver`"},
+        {IN "mu: 0.3\npath: [{force: 0}]\n",
+         "a.yaml:4:16: error: there is no contact to begin with: give a force above 0\n"},
+        {IN "mu: 0.3\npath: [{force: -1}]\n", "a.yaml:4:16: error: `force` is -1, allowed is 0 to 1e+12 N/m\n"},
+        {IN "mu: 0.3\npath: [{force: .nan}]\n", "a.yaml:4:16: error: expected "},
+        {IN "mu: 0.3\npath: [{force: 1, tangential: 0.31*P}]\n",
+         "a.yaml:4:31: error: the contact slides: `tangential` is 0.31 N/m, and mu times the force only 0.3 N/m\n"},
+        {IN "mu: 0.3\npath: [{force: 1, tangential: -0.2}, {force: 0.5, tangential: -0.2}]\n",
+         "a.yaml:4:63: error: the contact slides: "},
+        {IN "mu: 0.3\npath: [{force: 1, tangential: 0.1, slide: 1 um}]\n",
+         "a.yaml:4:43: error: `slide` and `tangential` say the same: give one of them\n"},
+        {IN "mu: 0.3\npath: [{force: 1, overlap: 1 um}]\n",
+         "a.yaml:4:19: error: `path.0.overlap` is not for `kind: patch`"},
+        {IN "mu: 0.3\nsolver: carter\npath: [{force: 1, slide: 1 um, roll: 1 um}, {force: 1, slide: 1 um}]\n",
+         "a.yaml:5:45: error: `solver: carter` is for steady rolling: `path.1` does not roll\n"},
+        {IN "mu: 0.3\nsolver: cattaneo\npath: [{force: 1, slide: 1 um}, {force: 1, slide: -1 um}]\n",
+         "a.yaml:5:33: error: `solver: cattaneo` is for sliding one way from rest"},
+        {IN "mu: 0.3\nsolver: cattaneo\npath: [{force: 1, slide: 1 um, roll: 1 um}]\n",
+         "a.yaml:5:8: error: `solver: cattaneo` is for sliding one way from rest"},
+        {IN "mu: 0.3\ndepth: 99 um\npath: [{force: 60 kN/m}]\n",
+         "a.yaml:5:16: error: this presses the contact as wide as its depth, 9.9e-05 m; give a smaller force or a "
+         "larger "
+         "`depth` or `Lambda`\n"},
+        {IN "mu: 0.3\ndepth: 1\nLambda: 2\npath: [{force: 1}]\n",
+         "a.yaml:4:8: error: `depth` and `Lambda` say the same: give one of them\n"},
+        {IN "mu: 0.3\nlaws: [{}]\npath: [{force: 1}]\n",
+         "a.yaml:4:1: error: `laws` is not for `kind: patch`; allowed here: "},
+        {"kind: patch\nbodies: {R1: 1, R2: 1, E: 0, nu: 0}\nmu: 0.3\npath: [{force: 1}]\n",
+         "a.yaml:2:27: error: `E` is 0, allowed is 0.001 to 1e+15 Pa\n"},
+    };
+    int failed = 0;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        tr_scene scene;
+        tr_status st;
+        if (fake_read(&scene, rows[i].text, NULL, 0, &st)) fail_msg("accepted: %s", rows[i].text);
+        assert_int_equal(st.code, TR_BAD_CASE);
+        if (strncmp(st.text, rows[i].begins, strlen(rows[i].begins)) == 0) continue;
+        print_message("case %zu says:\n%s\nexpected:\n%s\n\n", i, st.text, rows[i].begins);
+        failed++;
+    }
+    assert_int_equal(failed, 0);
+}
+
 static void contact_messages(void **state) {
     (void)state;
     static const struct {
@@ -310,9 +363,9 @@ static void contact_messages(void **state) {
         {PAIR LAWS "path: [{force: 1, a: 3 mm}]\n",
          "a.yaml:4:19: error: `path.0.a` follows from other keys, sqrt(4*P*R_star/(pi*E_star)), and cannot be given\n"},
         {PAIR LAWS "path: [{force: previous.force}]\n", "a.yaml:4:16: error: these keys name each other in a circle: "},
-        {PAIR LAWS "path: [{force: 1, slip: 2}]\n", "a.yaml:4:19: error: unknown key `path.0.slip` (did you mean "
-                                                    "`slide`?); allowed here: force, overlap, slide, roll, "
-                                                    "steps, time\n"},
+        {PAIR LAWS "path: [{force: 1, slip: 2}]\n",
+         "a.yaml:4:19: error: unknown key `path.0.slip` (did you mean "
+         "`slide`?); allowed here: force, slide, roll, steps, overlap, time\n"},
         {ROLL "E_star: 3 GPa\n", "a.yaml:5:1: error: `E_star` follows from other keys, bodies.E/(2*(1 - "
                                  "bodies.nu^2)), and cannot be given\n"},
         {ROLL "seed: 3\n", "a.yaml:5:1: error: `seed` is not for `kind: contact`; allowed here: kind, bodies, laws, "
@@ -391,6 +444,7 @@ static void contact_messages(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(messages), cmocka_unit_test(contact_messages),
-                                       cmocka_unit_test(limits), cmocka_unit_test(long_lines)};
+                                       cmocka_unit_test(patch_messages), cmocka_unit_test(limits),
+                                       cmocka_unit_test(long_lines)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

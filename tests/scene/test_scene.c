@@ -231,8 +231,8 @@ static void written_text(void **state) {
     tr_status st = {0};
     char *text = tr_scene_write(&s, &fake_catalog, &st);
     const char *const lines[] = {
-        "kind: bodies                               # what is simulated: a biaxial test, a few bodies, or one contact "
-        "along a path\n"
+        "kind: bodies                               # what is simulated: a biaxial test, a few bodies, one contact "
+        "along a path, or the inside of one\n"
         "shape: disk                                # disk: a cylinder per metre of length; sphere: moves in the "
         "plane\n"
         "time_end: 0.1                              # time that the run covers [s]\n"
@@ -290,6 +290,33 @@ static void spheres(void **state) {
     assert_close(s.shear.lateral_pressure, 100, 0, 0);
     round_trip(&s);
     tr_scene_free(&s);
+}
+
+/* The inside of a contact: three ways to say the depth, prescribed sliding or friction. */
+static void patch(void **state) {
+    (void)state;
+    static const char *const depths[] = {"", "depth: 3 mm\n", "Lambda: 4.5\n"};
+    const double a = sqrt(4 * 1e4 * 0.005 / (M_PI * 50e9)), d[] = {0.02 / M_E, 3e-3, a * exp(4.5) / 2};
+    for (int i = 0; i < 3; i++) {
+        char text[500];
+        snprintf(text, sizeof text,
+                 "kind: patch\nbodies: {R1: 1 cm, R2: 1 cm, E: 91 GPa, nu: 0.3}\nmu: 0.25\n%selements: 50\n"
+                 "path:\n  - {force: 10 kN/m, tangential: 0.6*mu*P, roll: 4*a}\n  - {force: 2*P, slide: 1 um}\n"
+                 "output: {frames: 7}\n",
+                 depths[i]);
+        tr_scene s = read_ok(text, NULL, 0);
+        assert_int_equal(s.kind, TR_KIND_PATCH);
+        assert_int_equal(s.patch.solver, TR_HALF_PLANE);
+        assert_true(s.patch.elements == 50 && s.patch.frames == 7 && s.patch.snapshots == 20);
+        assert_close(s.pair.d, d[i], 1e-14, 0);
+        assert_close(s.path[0].tangential, 1500, 1e-14, 0);
+        assert_close(s.path[0].roll, 4 * a, 1e-14, 0);
+        assert_close(s.path[1].force, 2e4, 1e-14, 0);
+        assert_close(s.path[1].slide, 1e-6, 0, 0);
+        assert_true(isnan(s.path[0].slide) && isnan(s.path[1].tangential));
+        round_trip(&s);
+        tr_scene_free(&s);
+    }
 }
 
 static void sets(void **state) {
@@ -421,6 +448,7 @@ int main(void) {
         cmocka_unit_test(bodies),
         cmocka_unit_test(contact),
         cmocka_unit_test(spheres),
+        cmocka_unit_test(patch),
         cmocka_unit_test(written_reads_the_same),
         cmocka_unit_test(written_text),
         cmocka_unit_test(large_case_reads_the_same),

@@ -369,6 +369,33 @@ static void sign_laws_at_any_speed(void **state) {
     }
 }
 
+/* The exact contact beside the laws: Cattaneo's displacement without rolling, his law on a path with reversals and a
+ * changing force (both to 200 elements: 1e-3 of mu P, of first order), Carter's creepage after long rolling. Not for
+ * assemblies. */
+static void exact_beside_laws(void **state) {
+    (void)state;
+    run r = drive("kind: contact\nbodies: {R1: 10 mm, R2: 30 mm, E: 70 GPa, nu: 0.3, Lambda: 2}\n"
+                  "laws: [{friction: exact, mu: 0.3}, {friction: cattaneo-mindlin, mu: 0.3}]\n"
+                  "path:\n"
+                  "  - {force: 10 kN/m, slide: 0.06 um, steps: 50}\n"
+                  "  - {force: 10 kN/m, slide: -0.1 um, steps: 50}\n"
+                  "  - {force: 20 kN/m, slide: 0.1 um, steps: 200}\n"
+                  "  - {force: 15 kN/m, steps: 200}\n"
+                  "  - {force: 0, steps: 1}\n");
+    for (int i = 0; i < 501; i++) assert_close(r.state[0][i].Q, r.state[1][i].Q, 0, 5e-3 * 0.3 * 2e4);
+    assert_true(r.state[0][49].Q > 1000 && r.state[0][99].Q < 0 && r.state[0][500].Q == 0 && r.state[0][500].q == 0);
+    assert_close(r.state[0][49].q, r.state[0][49].Q / 3e3, 1e-14, 0);
+    end(&r);
+    r = drive("kind: contact\nbodies: {R1: 10 mm, R2: 30 mm, E: 70 GPa, nu: 0.3, Lambda: 2}\n"
+              "laws: [{friction: exact, mu: 0.3, elements: 100}]\n"
+              "path: [{force: 10 kN/m, slide: -0.5*0.3*a/R_star*20*a, roll: 20*a, steps: 1000}]\n");
+    assert_close(r.state[0][r.n - 1].Q, -0.75 * 3e3, 0, 5e-3 * 3e3); /* xi = F0/2: q = 1 - 1/4 */
+    end(&r);
+    refused("kind: bodies\ntime_end: 1\ncontact: {k_n: 1, friction: exact, mu: 1, E_star: 1 GPa, rolling: none}\n"
+            "disks: [{radius: 1, x: 0, y: 0}]\n",
+            "a.yaml:3:29: error: the law exact is for `kind: contact` only");
+}
+
 /* The largest numbers that a case may hold do not give NaN: a row, or an error that names the step. */
 static void extremes(void **state) {
     (void)state;
@@ -413,6 +440,7 @@ int main(void) {
         cmocka_unit_test(opening_forgets),
         cmocka_unit_test(time_counts_where_it_must),
         cmocka_unit_test(sign_laws_at_any_speed),
+        cmocka_unit_test(exact_beside_laws),
         cmocka_unit_test(overlaps),
         cmocka_unit_test(extremes),
     };

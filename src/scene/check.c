@@ -1,0 +1,176 @@
+/* SPDX-License-Identifier: MIT */
+#include "scene/check.h"
+#include "scene/tables.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+typedef struct checker {
+    const tr_resolver *r;
+    tr_scene *scene;
+} checker;
+
+const tr_scope *tr_check_scope(const tr_resolver *r, const char *section, int item) {
+    for (int i = 0; i < r->n_scopes; i++)
+        if (r->scopes[i].item == item && strcmp(r->scopes[i].section, section) == 0) return &r->scopes[i];
+    return NULL;
+}
+
+/* A law is for its shape, and not every choice of its parameters is for assemblies. */
+static bool check_law(const checker *c, const tr_scope *s, const char *slot, const tr_param_table *law) {
+    const tr_entry *e = tr_resolve_entry(s, slot);
+    tr_mark mark = e->node ? e->node->mark : s->mark;
+    unsigned wrong = c->scene->shape == TR_SHAPE_SPHERE ? TR_ONLY_DISKS : TR_ONLY_SPHERES;
+    if (law->demands & wrong)
+        return tr_text_fail(c->r->st, mark, "the law %s is for %s, and `shape` is %s", law->name,
+                            wrong == TR_ONLY_DISKS ? "disks" : "spheres", wrong == TR_ONLY_DISKS ? "sphere" : "disk");
+    if (law->demands & TR_ONLY_DRIVER && c->scene->kind != TR_KIND_CONTACT)
+        return tr_text_fail(c->r->st, mark, "the law %s is for `kind: contact` only", law->name);
+    for (int i = 0; i < law->n && law->driver_choice && c->scene->kind != TR_KIND_CONTACT; i++) {
+        const tr_param *p = &law->params[i];
+        const tr_entry *choice = p->type == TR_CHOICE ? tr_resolve_entry(s, p->key) : NULL;
+        if (choice && choice->node && strcmp(choice->node->text, law->driver_choice) == 0)
+            return tr_text_fail(c->r->st, choice->node->mark, "`%s: %s` of the law %s is for `kind: contact` only",
+                                p->key, law->driver_choice, law->name);
+    }
+    return true;
+}
+
+/* The place of a key of segment i. */
+static tr_mark mark_of(const checker *c, int i, const char *key) {
+    const tr_scope *s = tr_check_scope(c->r, "path", i);
+    const tr_entry *e = tr_resolve_entry(s, key);
+    return e && e->node ? e->node->mark : s->mark;
+}
+
+/* The approach of a line contact counts from a depth d: no contact is as wide. At a = d the overlap is (1 + ln 4)/4 d^2/R.
+ * `where` presses it. */
+static bool check_depth(const checker *c, double d, double E_star, const char *where) {
+    double R = c->scene->pair.R_star;
+    for (int i = 0; i < c->scene->n_segments; i++) {
+        const tr_scene_segment *g = &c->scene->path[i];
+        double a = sqrt(4 * g->force * R / (M_PI * E_star));
+        bool by_force = !isnan(g->force), deep = by_force ? a < d : g->overlap < (0.25 + M_LN2 / 2) * d * d / R;
+        const char *key = by_force ? "force" : "overlap";
+        if (!deep)
+            return tr_text_fail(
+                c->r->st, mark_of(c, i, key),
+                "this presses the contact%s as wide as its depth, %.3g m; give a smaller %s or a larger "
+                "`%sdepth` or `%sLambda`",
+                where, d, key, *where ? "bodies." : "", *where ? "bodies." : "");
+    }
+    return true;
+}
+
+static bool check_law_depth(const checker *c, const tr_scope *s) {
+    const tr_entry *depth = tr_resolve_entry(s, "depth"), *E_star = tr_resolve_entry(s, "E_star");
+    if (!depth || depth->law) return true; /* its law is not chosen */
+    const tr_scene_pair *pair = &c->scene->pair;
+    double d = *(double *)depth->value;
+    if (d == 0) d = 2 * sqrt(pair->R1 * pair->R2) / M_E; /* which 0 stands for */
+    char where[32];
+    snprintf(where, sizeof where, " of `laws.%d`", s->item);
+    return check_depth(c, d, *(double *)E_star->value, where);
+}
+
+static bool needed(const tr_scope *s, const tr_param_table *law) {
+    return !law->demands_if || *(const bool *)tr_resolve_entry(s, law->demands_if)->value;
+}
+
+/* What a law must know of a prescribed path. */
+static bool check_demands(const checker *c, const tr_scope *s, const char *slot, const tr_param_table *law) {
+    const tr_scene *scene = c->scene;
+    if (!needed(s, law)) return true;
+    if (law->demands & TR_NEEDS_DENSITY && scene->pair.density == 0)
+        return tr_text_fail(c->r->st, tr_check_scope(c->r, "bodies", -1)->mark,
+                            "`bodies.density` is missing: %s law %s of `%s.%d` depends on the inertia of the bodies",
+                            slot, law->name, s->section, s->item);
+    for (int i = 0; i < scene->n_segments; i++) {
+        const tr_scope *segment = tr_check_scope(c->r, "path", i);
+        if (law->demands & TR_NEEDS_TIME && scene->path[i].time == 0)
+            return tr_text_fail(c->r->st, segment->mark,
+                                "`path.%d.time` is missing: %s law %s of `%s.%d` depends on the rate", i, slot,
+                                law->name, s->section, s->item);
+    }
+    return true;
+}
+
+static bool check_laws(const checker *c, const tr_scope *s, const void *base) {
+    for (int k = 0; k < TR_SLOTS; k++) {
+        tr_law_place slot = tr_tables_slot(c->r->catalog, k);
+        const tr_scene_law *law = (const void *)((const char *)base + slot.offset);
+        const tr_param_table *table = slot.laws[law->law];
+        if (!check_law(c, s, slot.key, table)) return false;
+        if (c->scene->kind == TR_KIND_CONTACT && !check_demands(c, s, slot.key, table)) return false;
+    }
+    return c->scene->kind != TR_KIND_CONTACT || check_law_depth(c, s);
+}
+
+/* What the closed forms leave out. */
+static bool check_closed_form(const checker *c, int i) {
+    const tr_scene_segment *g = &c->scene->path[i], *first = c->scene->path;
+    if (c->scene->patch.solver == TR_CARTER && g->roll == 0)
+        return tr_text_fail(c->r->st, tr_check_scope(c->r, "path", i)->mark,
+                            "`solver: carter` is for steady rolling: `path.%d` does not roll", i);
+    if (c->scene->patch.solver != TR_CATTANEO) return true;
+    bool by_force = !isnan(g->tangential);
+    double way = by_force ? g->tangential - (i ? g[-1].tangential : 0) : g->slide, once = first->slide;
+    if (!isnan(first->tangential)) once = first->tangential;
+    bool mixed = by_force != !isnan(first->tangential);
+    if (g->roll != 0 || g->force != first->force || mixed || way * once < 0)
+        return tr_text_fail(
+            c->r->st, tr_check_scope(c->r, "path", i)->mark,
+            "`solver: cattaneo` is for sliding one way from rest, at constant force, without rolling, all "
+            "by `slide` or all by `tangential`: take half-plane for `path.%d`",
+            i);
+    return true;
+}
+
+/* d from Lambda at the force of the first segment; no more friction than there can be. */
+static bool check_patch(const checker *c) {
+    tr_scene *scene = c->scene;
+    tr_scene_pair *pair = &scene->pair;
+    pair->d = pair->depth;
+    if (scene->path_file) return true; /* which is looked at when it is read */
+    double P = scene->path[0].force, mu = scene->patch.mu;
+    if (P == 0)
+        return tr_text_fail(c->r->st, mark_of(c, 0, "force"),
+                            "there is no contact to begin with: give a force above 0");
+    pair->d =
+        isnan(pair->depth) ? sqrt(4 * P * pair->R_star / (M_PI * pair->E_star)) * exp(pair->Lambda) / 2 : pair->depth;
+    if (!check_depth(c, pair->d, pair->E_star, "")) return false;
+    for (int i = 0; i < scene->n_segments; i++) {
+        const tr_scene_segment *g = &scene->path[i];
+        if (fabs(g->tangential) > mu * g->force * (1 + 1e-12))
+            return tr_text_fail(c->r->st, mark_of(c, i, "tangential"),
+                                "the contact slides: `tangential` is %.6g N/m, and mu times the force only %.6g N/m",
+                                g->tangential, mu * g->force);
+        if (!check_closed_form(c, i)) return false;
+    }
+    return true;
+}
+
+/* What no single row can say. */
+bool tr_check_together(const tr_resolver *r, tr_scene *scene) {
+    const checker checker = {r, scene}, *c = &checker;
+    if (c->scene->kind == TR_KIND_PATCH && !check_patch(c)) return false;
+    for (int i = 0; i < c->r->n_scopes; i++) {
+        const tr_scope *s = &c->r->scopes[i];
+        const tr_scene_sample *sample = &c->scene->sample;
+        if (strcmp(s->section, "contact") == 0 && !check_laws(c, s, &c->scene->contact)) return false;
+        if (strcmp(s->section, "laws") == 0 && !check_laws(c, s, &c->scene->laws[s->item])) return false;
+        if (strcmp(s->section, "sample") == 0 && sample->r_min > sample->r_max)
+            return tr_text_fail(c->r->st, tr_resolve_entry(s, "r_min")->node->key_mark,
+                                "`sample.r_min` is %.9g m, more than `sample.r_max`, which is %.9g m", sample->r_min,
+                                sample->r_max);
+        if (strcmp(s->section, "walls") != 0) continue;
+        /* A normal that is already 1 long to rounding stays as it is: what was written reads back bit for bit. */
+        tr_scene_wall *wall = &c->scene->walls[s->item];
+        double length = hypot(wall->nx, wall->ny);
+        if (length < 1e-9) return tr_text_fail(c->r->st, s->mark, "the normal (nx, ny) of `walls.%d` is zero", s->item);
+        if (fabs(length - 1) > 4 * DBL_EPSILON) wall->nx /= length, wall->ny /= length;
+    }
+    return true;
+}

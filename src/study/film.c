@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: MIT */
+#include "study/film.h"
+
+#include "out/dir.h"
+#include "study/run_internal.h"
+#include <errno.h>
+#include <math.h>
+#include <string.h>
+#include <sys/stat.h>
+
+/* Frames a second: a film of a few frames lasts four seconds, but never crawls. */
+static int frame_rate(int frames) {
+    return (int)fmax(5, fmin(30, frames / 4.0));
+}
+
+bool tr_film_open(tr_film *film, const char *dir, const char *name, int frames, tr_run_report *report, tr_status *st) {
+    *film = (tr_film){.dir = dir};
+    if (!frames) return true;
+    char path[TR_PATH];
+    if (!tr_dir_path(path, dir, "frames", st)) return false;
+    if (mkdir(path, 0777) && errno != EEXIST)
+        return tr_status_fail(st, TR_FILE, "error: cannot make directory %s: %s", path, strerror(errno));
+    if (!(film->canvas = tr_canvas_create(st))) return false;
+    if (!tr_video_available())
+        return tr_run_note(report, "no film: ffmpeg is not installed; frames/ has the pictures"), true;
+    if (!tr_dir_path(path, dir, name, st)) return false;
+    return (film->video = tr_video_open(path, frame_rate(frames), st)) != NULL;
+}
+
+bool tr_film_frame(tr_film *film, tr_status *st) {
+    char path[TR_PATH + 32];
+    snprintf(path, sizeof path, "%s/frames/%05d.png", film->dir, film->frames);
+    if (!tr_canvas_png(film->canvas, path, st)) return false;
+    film->frames++;
+    return !film->video || tr_video_frame(film->video, film->canvas, st);
+}
+
+bool tr_film_close(tr_film *film, tr_status *st) {
+    bool kept = film->video && tr_video_close(film->video, film->frames > 0, st);
+    tr_canvas_free(film->canvas);
+    film->video = NULL, film->canvas = NULL;
+    return kept;
+}
