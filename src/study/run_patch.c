@@ -18,7 +18,8 @@ typedef struct show {
     int64_t total, done; /* steps */
     tr_file contact, patch;
     tr_film film;
-    int snapshots; /* written so far */
+    int64_t rows; /* of contact.csv, and instants of patch.csv, written so far */
+    int snapshots;
     double P_max, slip_max;
     bool rehearsal;
     tr_patch_result result;
@@ -91,6 +92,7 @@ static bool look(show *s, const tr_contact_state *now, tr_status *st) {
     tr_row row = {0};
     tr_run_contact_row(&row, now);
     if (!tr_row_write_exact(&row, &s->contact, st)) return false;
+    s->rows++;
     const tr_scene_patch *want = &s->scene->patch;
     int64_t k = s->done - 1, end = s->total - 1; /* the first is after the first step */
     if (tr_run_is_due(s->snapshots, most(want->snapshots, s->total), k, end) && !write_patch(s, st)) return false;
@@ -119,16 +121,15 @@ static bool play(show *s, bool rehearsal, tr_status *st) {
 /* Files get their names whatever ended the run: their rows are whole. Returns st->code == TR_OK. */
 static bool close_files(show *s, tr_status *st) {
     tr_status closing = {0};
-    bool rows = s->contact.stream && s->result.u_slide_end == s->result.u_slide_end && s->done > 1;
-    if (!(rows && tr_file_commit(&s->contact, &closing))) tr_file_discard(&s->contact);
+    if (!(s->rows && tr_file_commit(&s->contact, &closing))) s->rows = 0, tr_file_discard(&s->contact);
     if (!(s->snapshots && tr_file_commit(&s->patch, &closing))) tr_file_discard(&s->patch);
     bool film = tr_film_close(&s->film, &closing);
     if (closing.code) tr_status_fail(st, closing.code, "%s", closing.text);
     if (!st->code) return true;
     size_t used = strlen(st->text);
     snprintf(st->text + used, sizeof st->text - used,
-             "\nkept in %s: %d snapshots, %d frames%s; not finished, no summary.json", s->options->dir, s->snapshots,
-             s->film.frames, film ? " and their film" : "");
+             "\nkept in %s: %lld rows of contact.csv, %d snapshots, %d frames%s; not finished, no summary.json",
+             s->options->dir, (long long)s->rows, s->snapshots, s->film.frames, film ? " and their film" : "");
     return false;
 }
 

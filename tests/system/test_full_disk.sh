@@ -5,6 +5,7 @@ set -u
 # shellcheck source=tests/system/tap.sh
 . "$(dirname "$0")/tap.sh"
 contact=$PWD/cases/contact-reversal.yaml
+patch=$PWD/cases/patch-cattaneo-to-carter.yaml
 cd "$work" || exit 1
 write_small_case small.yaml
 write_bodies_case bodies.yaml
@@ -51,6 +52,7 @@ for size in 300k 400k 1200k; do check "$size, the film among frames" strikes $si
 for size in 8k 16k 32k 64k 128k; do check "$size, tables and curves" strikes $size small.yaml; done
 for size in 8k 16k 64k 512k; do check "$size, bodies" strikes $size bodies.yaml --set output.rows=5000 --set time_end=2s; done
 for size in 8k 64k 256k 400k 512k 2M; do check "$size, a contact" strikes $size "$contact"; done
+for size in 8k 64k 256k; do check "$size, inside a contact" strikes $size "$patch" --set path.1.steps=50; done
 
 # Rows that were written before a film failed are kept, and the message says so.
 rm -rf disk/*

@@ -5,6 +5,7 @@ set -u
 # shellcheck source=tests/system/tap.sh
 . "$(dirname "$0")/tap.sh"
 contact=$PWD/cases/contact-reversal.yaml
+patch=$PWD/cases/patch-cattaneo-to-carter.yaml
 cd "$work" || exit 1
 write_small_case small.yaml
 write_bodies_case bodies.yaml
@@ -65,6 +66,17 @@ kept=$(sed -n 's/.*: \([0-9]*\) steps of contact.*/\1/p' stderr)
 check 'two rows for each step that it said' equals "$(($(wc -l <contact/contact.csv) - 1))" $((2 * kept))
 check 'no summary' not test -e contact/summary.json
 check 'no part' no_parts contact
+
+start "$patch" -o patch --set path.1.steps=1000000 --set output.frames=0
+has_patch_rows() { [ "$(wc -l <patch/contact.csv.part)" -gt 4 ]; }
+check 'inside a contact: rows are growing' wait_for has_patch_rows
+stop INT
+check 'code 130' equals "$code" 130
+check 'contact.csv has whole lines' whole_lines patch/contact.csv
+kept=$(sed -n 's/.*: \([0-9]*\) rows of contact.*/\1/p' stderr)
+check 'as many rows as it said' equals "$(($(wc -l <patch/contact.csv) - 1))" "$kept"
+check 'no summary' not test -e patch/summary.json
+check 'no part' no_parts patch
 
 # shellcheck disable=SC2086 # a list of options
 start small.yaml -o compact $compacting

@@ -64,6 +64,37 @@ check 'a law that depends on the rate is not guessed at' run_gives 2 "$cases/con
     --set laws.0.rolling=star-displacement-damping --set laws.0.damping=yes --set bodies.density=2700
 check 'it asks for the time' says stderr '`path.0.time` is missing: rolling law star-displacement-damping of `laws.0` depends on the rate'
 
+# ---- inside a contact ----
+cat >patch.yaml <<'EOF'
+kind: patch
+bodies: {R1: 10 mm, R2: 10 mm, E: 70 GPa, nu: 0.3}
+mu: 0.3
+elements: 20
+path:
+  - {force: 10 kN/m, tangential: 0.6*mu*P, steps: 10}
+  - {force: P, tangential: 0.6*mu*P, roll: a, steps: 10}
+output: {frames: 3, snapshots: 4}
+EOF
+check 'the inside of a contact runs' run_gives 0 patch.yaml -o patch
+patch_files() {
+    printf '%s\n' case.yaml contact.csv
+    command -v gnuplot >/dev/null && printf '%s\n' contact.png contact.svg
+    printf '%s\n' frames/00000.png frames/00001.png frames/00002.png patch.csv
+    command -v ffmpeg >/dev/null && echo patch.mp4
+    command -v gnuplot >/dev/null && echo plot.gp
+    echo summary.json
+}
+check 'it writes these files' equals "$(listing patch)" "$(patch_files)"
+check 'its contact.csv is that of laws' equals "$(head -n 1 patch/contact.csv)" "$(head -n 1 contact/contact.csv)"
+check 'a row for each step' equals "$(($(wc -l <patch/contact.csv) - 1))" 20
+check 'the header of patch.csv' equals "$(head -n 1 patch/patch.csv)" 'snapshot,step,x_m,p_Pa,tau_Pa,slip_m,stick'
+check 'a row for each element and snapshot' equals "$(($(wc -l <patch/patch.csv) - 1))" 80
+coulomb() { awk -F, 'NR > 1 && ($5*$5 > 0.09*$4*$4*(1 + 1e-9) || ($7 && $6 != 0) || $6*$5 < 0) { print; bad = 1 } END { exit bad }' patch/patch.csv; }
+check 'friction within its bound, no slip where it sticks, slip along traction' coulomb
+check 'the same bits again' sh -c '"$0" run patch/case.yaml -o patch-again >/dev/null && cmp patch/patch.csv patch-again/patch.csv' "$TRUNDLE"
+check 'a path from a file' sh -c 'sed "/path:/,\$d" patch.yaml >file.yaml && echo "path: patch/contact.csv" >>file.yaml &&
+    "$0" run file.yaml -o file --set output.frames=0 >/dev/null && test "$(wc -l <file/contact.csv)" -eq 21' "$TRUNDLE"
+
 # ---- tables ----
 begins() {
     head -n 1 "$1" | grep -q "^$2" || { head -n 1 "$1"; false; }
