@@ -7,6 +7,7 @@
 #include "study/inside.h"
 #include "study/run_internal.h"
 #include <math.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -45,6 +46,16 @@ static bool write_patch(show *s, tr_status *st) {
     return true;
 }
 
+/* printf with a true minus, for the panel. */
+__attribute__((format(printf, 3, 4))) static void say(char *text, size_t size, const char *format, ...) {
+    char plain[40];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(plain, sizeof plain, format, args);
+    va_end(args);
+    snprintf(text, size, "%s%s", *plain == '-' ? "−" : "", plain + (*plain == '-'));
+}
+
 static bool draw(show *s, const tr_contact_state *now, tr_status *st) {
     const tr_patch_state *p = tr_inside_patch(s->inside);
     const tr_scene_segment *g = &s->scene->path[now->segment];
@@ -56,12 +67,12 @@ static bool draw(show *s, const tr_contact_state *now, tr_status *st) {
                                   {"half-width a", text[3]},
                                   {"slid so far", text[4]},
                                   {"rolled so far", text[5]}};
-    snprintf(text[0], sizeof text[0], "%.4g kN/m", now->P / 1e3);
-    snprintf(text[1], sizeof text[1], "%.4g kN/m", now->Q / 1e3);
-    snprintf(text[2], sizeof text[2], "%.3f", now->Q < 0 ? -now->q : now->q);
-    snprintf(text[3], sizeof text[3], "%.4g µm", 1e6 * now->a);
-    snprintf(text[4], sizeof text[4], "%.4g µm", 1e6 * now->u_slide);
-    snprintf(text[5], sizeof text[5], "%.3g a", now->a > 0 ? now->u_roll / now->a : 0);
+    say(text[0], sizeof text[0], "%.4g kN/m", now->P / 1e3);
+    say(text[1], sizeof text[1], "%.4g kN/m", now->Q / 1e3);
+    say(text[2], sizeof text[2], "%.3f", now->Q < 0 ? -now->q : now->q);
+    say(text[3], sizeof text[3], "%.4g µm", 1e6 * now->a);
+    say(text[4], sizeof text[4], "%.4g µm", 1e6 * now->u_slide);
+    say(text[5], sizeof text[5], "%.3g a", now->a > 0 ? now->u_roll / now->a : 0);
     tr_patch_view view = {.pair = &s->pair,
                           .state = p,
                           .v_slide = p->du * g->steps,
