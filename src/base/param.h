@@ -56,6 +56,7 @@ typedef enum tr_type {
     TR_SEED,   /* uint64_t */
     TR_CHOICE, /* int: index into choices */
     TR_SWITCH, /* bool: yes | no */
+    TR_PICKS,  /* tr_scene_picks: a list of contacts by name; empty where none is given */
 } tr_type;
 
 typedef struct tr_param {

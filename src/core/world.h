@@ -63,11 +63,13 @@ typedef struct tr_slot {
 
 typedef struct tr_group tr_group;
 typedef struct tr_ledger tr_ledger;
+typedef struct tr_paths tr_paths;
 
 /* A sink reads finished tiles, and may keep histories of its own that follow the ids. */
 typedef struct tr_sink {
     tr_group *group;
     tr_ledger *ledger; /* NULL for other sinks */
+    tr_paths *paths;   /* NULL for other sinks */
     int hist;          /* the first of its arrays in group->hist */
 } tr_sink;
 
@@ -92,7 +94,7 @@ struct tr_group {
     double *hist[TR_GROUP_HIST];
     double *pair[TR_GROUP_PAIR]; /* the first three: R1, R2, g1 */
     tr_slot slot[TR_N_SLOTS];
-    tr_sink ledger_sink, arcs_sink; /* group == NULL: not attached */
+    tr_sink ledger_sink, arcs_sink, paths_sink; /* group == NULL: not attached */
     tr_pass pass[TR_MAX_PASSES];
     int n_pass;
     int old_n, *old_a, *old_b; /* the list before a refresh, while histories are carried over */

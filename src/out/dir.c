@@ -51,15 +51,24 @@ static bool is_frame(const char *name) {
     return strspn(name, "0123456789") == 5 && (!strcmp(name + 5, ".png") || !strcmp(name + 5, ".png.part"));
 }
 
-static bool remove_frames(const char *dir, tr_status *st) {
-    char frames[TR_PATH];
-    if (!tr_dir_path(frames, dir, "frames", st)) return false;
-    DIR *d = opendir(frames);
+/* 17-42.csv, wall0-3.csv, most-mobilised.csv, and their parts */
+static bool is_path(const char *name) {
+    const char *digits = "0123456789", *end = name + (strncmp(name, "wall", 4) ? 0 : 4);
+    end += strspn(end, digits);
+    end += *end == '-' ? 1 + strspn(end + 1, digits) : 0;
+    if (!strncmp(name, "most-mobilised", 14)) end = name + 14;
+    return end > name && (!strcmp(end, ".csv") || !strcmp(end, ".csv.part"));
+}
+
+static bool remove_in(const char *dir, const char *folder, bool is_ours(const char *), tr_status *st) {
+    char path[TR_PATH];
+    if (!tr_dir_path(path, dir, folder, st)) return false;
+    DIR *d = opendir(path);
     bool ok = true;
     for (struct dirent *e; d && ok && (e = readdir(d));)
-        if (is_frame(e->d_name)) ok = remove_old(frames, e->d_name, st);
+        if (is_ours(e->d_name)) ok = remove_old(path, e->d_name, st);
     if (d) closedir(d);
-    rmdir(frames); /* stays if something else is in it */
+    rmdir(path); /* stays if something else is in it */
     return ok;
 }
 
@@ -74,7 +83,12 @@ bool tr_dir_open(const char *dir, bool force, tr_status *st) {
         snprintf(part, sizeof part, "%s.part", results[k]);
         if (!remove_old(dir, results[k], st) || !remove_old(dir, part, st)) return false;
     }
-    return remove_frames(dir, st);
+    return remove_in(dir, "frames", is_frame, st) && remove_in(dir, "paths", is_path, st);
+}
+
+bool tr_dir_make(const char *dir, const char *name, tr_status *st) {
+    char path[TR_PATH];
+    return tr_dir_path(path, dir, name, st) && make(path, st);
 }
 
 bool tr_file_open(tr_file *file, const char *dir, const char *name, tr_status *st) {

@@ -22,6 +22,9 @@ bool tr_dir_open(const char *dir, bool force, tr_status *st);
 /* dir/name; TR_FILE if the path is too long. */
 bool tr_dir_path(char path[TR_PATH], const char *dir, const char *name, tr_status *st);
 
+/* Makes dir/name. */
+bool tr_dir_make(const char *dir, const char *name, tr_status *st);
+
 bool tr_file_open(tr_file *file, const char *dir, const char *name, tr_status *st);
 bool tr_file_check(tr_file *file, tr_status *st);  /* flush; a full disk shows here */
 bool tr_file_commit(tr_file *file, tr_status *st); /* close and give it its name; on failure the part is removed */

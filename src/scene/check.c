@@ -152,6 +152,23 @@ static bool check_patch(const checker *c) {
     return true;
 }
 
+/* Walls and disks that output.paths names. */
+static bool check_picks(const checker *c, const tr_scope *s) {
+    const tr_scene *scene = c->scene;
+    const tr_scene_picks *picks = &scene->output.paths;
+    int walls = scene->kind == TR_KIND_BIAXIAL ? 4 : scene->n_walls;
+    int disks = scene->kind == TR_KIND_BIAXIAL ? scene->sample.disks : scene->n_disks;
+    const tr_entry *e = tr_resolve_entry(s, "paths");
+    const tr_node *node = e->node && e->node->type == TR_NODE_LIST ? e->node->child : e->node;
+    for (int i = 0; i < picks->n; i++, node = node->next) {
+        tr_scene_pick pick = picks->item[i];
+        if (pick.b < disks && pick.a >= -walls) continue;
+        return tr_text_fail(c->r->st, node->mark, "there is no contact `%s`: disks count from 0 to %d, walls are %d",
+                            node->text, disks - 1, walls);
+    }
+    return true;
+}
+
 /* What no single row can say. */
 bool tr_check_together(const tr_resolver *r, tr_scene *scene) {
     const checker checker = {r, scene}, *c = &checker;
@@ -160,6 +177,8 @@ bool tr_check_together(const tr_resolver *r, tr_scene *scene) {
         const tr_scope *s = &c->r->scopes[i];
         const tr_scene_sample *sample = &c->scene->sample;
         if (strcmp(s->section, "contact") == 0 && !check_laws(c, s, &c->scene->contact)) return false;
+        bool moves = c->scene->kind == TR_KIND_BIAXIAL || c->scene->kind == TR_KIND_BODIES;
+        if (moves && strcmp(s->section, "output") == 0 && !check_picks(c, s)) return false;
         if (strcmp(s->section, "laws") == 0 && !check_laws(c, s, &c->scene->laws[s->item])) return false;
         if (strcmp(s->section, "sample") == 0 && sample->r_min > sample->r_max)
             return tr_text_fail(c->r->st, tr_resolve_entry(s, "r_min")->node->key_mark,

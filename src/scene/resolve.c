@@ -173,6 +173,29 @@ static bool read_switch(tr_resolver *r, tr_entry *e, const char *text) {
     return fail(r, e, 0, "`%s` is not a choice for `%s`; allowed is yes | no", tr_text_show(text).text, e->param->key);
 }
 
+/* A list of names, or a single one. */
+static bool read_picks(tr_resolver *r, tr_entry *e) {
+    tr_scene_picks *picks = e->value;
+    const tr_node *node = e->node && e->node->type == TR_NODE_LIST ? e->node->child : e->node;
+    for (*picks = (tr_scene_picks){0}; node; node = node == e->node ? NULL : node->next) {
+        tr_scene_pick pick;
+        if (node->type != TR_NODE_VALUE || !tr_scene_pick_read(&pick, node->text))
+            return tr_text_fail(r->st, node->mark,
+                                "%s%s%sno contact; name it 17-42 (disks 17 and 42), wall0-3 (wall 0 and disk 3) or "
+                                "most-mobilised",
+                                node->text ? "`" : "this is ", node->text ? tr_text_show(node->text).text : "",
+                                node->text ? "` is " : "");
+        for (int i = 0; i < picks->n; i++)
+            if (picks->item[i].a == pick.a && picks->item[i].b == pick.b)
+                return tr_text_fail(r->st, node->mark, "`%s` is given twice", node->text);
+        if (picks->n == TR_MAX_PICKS)
+            return tr_text_fail(r->st, node->mark, "more than %d contacts in `%s`", TR_MAX_PICKS, e->param->key);
+        picks->item[picks->n++] = pick;
+    }
+    e->state = TR_ENTRY_DONE;
+    return true;
+}
+
 static bool read_value(tr_resolver *r, tr_entry *e, const char *text) {
     double value;
     switch (e->param->type) {
@@ -186,6 +209,8 @@ static bool read_value(tr_resolver *r, tr_entry *e, const char *text) {
         return read_choice(r, e, text);
     case TR_SWITCH:
         return read_switch(r, e, text);
+    case TR_PICKS: /* no text: see tr_resolve */
+        break;
     }
     return false;
 }
@@ -209,6 +234,7 @@ bool tr_resolve(tr_resolver *r, tr_entry *e, tr_entry *asker) {
     if (e->state == TR_ENTRY_DONE) return true;
     if (e->state == TR_ENTRY_BUSY) return cycle(r, e, asker);
     const tr_param *p = e->param;
+    if (p->type == TR_PICKS) return read_picks(r, e);
     tr_shown name = tr_resolve_name(e->scope, p->key);
     const char *instead = p->type == TR_REAL ? p->choices : NULL;
     const tr_entry *other = instead ? tr_resolve_entry(e->scope, instead) : NULL;

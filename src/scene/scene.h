@@ -55,12 +55,30 @@ typedef struct tr_scene_step {
     bool allow_unstable; /* run a dt above the bound all the same */
 } tr_scene_step;
 
+/* A contact by name: `17-42`, disks a < b; `wall0-3`, a = -1-w of wall w; `most-mobilised`, a = b: the one that uses the
+ * largest part of its friction at the end of the run. */
+typedef struct tr_scene_pick {
+    int a, b;
+} tr_scene_pick;
+
+enum { TR_MAX_PICKS = 16, TR_PICK_NAME = 32 };
+
+typedef struct tr_scene_picks {
+    int n;
+    tr_scene_pick item[TR_MAX_PICKS];
+} tr_scene_picks;
+
+/* False: no such name. */
+bool tr_scene_pick_read(tr_scene_pick *pick, const char *name);
+void tr_scene_pick_name(tr_scene_pick pick, char name[TR_PICK_NAME]);
+
 typedef struct tr_scene_output {
-    int frames;   /* pictures over the run, equally spaced, the last at the end; 0: none */
-    int rows;     /* rows of history.csv */
-    int contacts; /* instants at which contacts.csv lists the contacts */
-    int color;    /* tr_color: field that colours the contacts in frames */
-    bool energy;  /* keep the energy ledger */
+    int frames;           /* pictures over the run, equally spaced, the last at the end; 0: none */
+    int rows;             /* rows of history.csv */
+    int contacts;         /* instants at which contacts.csv lists the contacts */
+    int color;            /* tr_color: field that colours the contacts in frames */
+    bool energy;          /* keep the energy ledger */
+    tr_scene_picks paths; /* contacts whose path is written to paths/NAME.csv */
 } tr_scene_output;
 
 typedef struct tr_scene_disk {

@@ -132,6 +132,8 @@ static const tr_param output[] = {
     {"frames", TR_COUNT, TR_DIM_NUMBER, "", "20", 0, 1e5, NULL, AT(frames), "pictures over the run; 0: none"},
     {"rows", TR_COUNT, TR_DIM_NUMBER, "", "400", 3, 1e6, NULL, AT(rows), "rows of history.csv"},
     {"contacts", TR_COUNT, TR_DIM_NUMBER, "", "1", 0, 1e5, NULL, AT(contacts), "instants listed in contacts.csv"},
+    {"paths", TR_PICKS, TR_DIM_NUMBER, "", "[]", 0, 0, NULL, AT(paths),
+     "contacts whose path is written: 17-42 (two disks), wall0-3 (wall 0, disk 3), most-mobilised (at the end)"},
 };
 static const tr_param output_biaxial[] = {
     {"color", TR_CHOICE, TR_DIM_NUMBER, "", "mobilisation", 0, 0, "mobilisation|sliding|rolling", AT(color),

@@ -26,7 +26,7 @@ static void write_real(char *text, size_t size, double value) {
 /* One key; lead is what stands before it. False: it is not given, another stands in its place. */
 static bool write_key(const writer *w, const tr_param *p, const void *base, const char *lead, bool comment) {
     const void *value = (const char *)base + p->offset;
-    char text[64] = "", line[160], unit[TR_BY_SHAPE];
+    char text[TR_MAX_PICKS * TR_PICK_NAME + 8] = "", line[sizeof text + 80], unit[TR_BY_SHAPE];
     if (p->type == TR_REAL && p->choices && isnan(*(const double *)value)) return false;
     switch (p->type) {
     case TR_REAL:
@@ -45,6 +45,17 @@ static bool write_key(const writer *w, const tr_param *p, const void *base, cons
         tr_shown name = {{0}};
         tr_tables_choice(w->catalog, p, *(const int *)value, &name);
         strcpy(text, name.text);
+        break;
+    }
+    case TR_PICKS: {
+        const tr_scene_picks *picks = value;
+        char name[TR_PICK_NAME];
+        strcpy(text, "[");
+        for (int i = 0; i < picks->n; i++) {
+            tr_scene_pick_name(picks->item[i], name);
+            strcat(strcat(text, i ? ", " : ""), name);
+        }
+        strcat(text, "]");
     }
     }
     snprintf(line, sizeof line, "%s%s: %s", lead, p->key, text);

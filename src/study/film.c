@@ -3,10 +3,7 @@
 
 #include "out/dir.h"
 #include "study/run_internal.h"
-#include <errno.h>
 #include <math.h>
-#include <string.h>
-#include <sys/stat.h>
 
 /* Frames a second: a film of a few frames lasts four seconds, but never crawls. */
 static int frame_rate(int frames) {
@@ -17,10 +14,7 @@ bool tr_film_open(tr_film *film, const char *dir, const char *name, int frames, 
     *film = (tr_film){.dir = dir};
     if (!frames) return true;
     char path[TR_PATH];
-    if (!tr_dir_path(path, dir, "frames", st)) return false;
-    if (mkdir(path, 0777) && errno != EEXIST)
-        return tr_status_fail(st, TR_FILE, "error: cannot make directory %s: %s", path, strerror(errno));
-    if (!(film->canvas = tr_canvas_create(st))) return false;
+    if (!tr_dir_make(dir, "frames", st) || !(film->canvas = tr_canvas_create(st))) return false;
     if (!tr_video_available())
         return tr_run_note(report, "no film: ffmpeg is not installed; frames/ has the pictures"), true;
     if (!tr_dir_path(path, dir, name, st)) return false;

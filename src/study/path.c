@@ -73,6 +73,7 @@ static bool row(void *context, tr_csv *csv) {
                                                   .overlap = NAN,
                                                   .slide = p->now[SLIDE] - p->before[SLIDE],
                                                   .roll = p->now[ROLL] - p->before[ROLL],
+                                                  .tangential = NAN,
                                                   .time = p->now[TIME] - p->before[TIME],
                                                   .steps = 1};
     for (int k = 0; k < COLUMNS; k++) p->before[k] = p->now[k];

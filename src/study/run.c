@@ -165,6 +165,7 @@ bool tr_outputs_close(tr_outputs *o, tr_status *st) {
     tr_status closing = {0};
     bool table = close_table(&o->history, o->rows, &closing);
     close_table(&o->contacts, o->instants, &closing);
+    tr_recorder_close(&o->recorder, &closing);
     bool film = tr_film_close(&o->film, &closing);
     free(o->records);
     o->records = NULL;

@@ -19,6 +19,8 @@ typedef struct test {
     tr_series series;
     tr_view view; /* what stays the same in every frame */
     char title[96];
+    bool rehearsal; /* a run without outputs, which finds: */
+    tr_scene_pick most;
     double e0, unbalanced, stress_2_sum;
     int stress_2_n;
     tr_biaxial_state state; /* of the last row */
@@ -121,15 +123,25 @@ static bool shear(test *t, tr_status *st) {
     int64_t total = t->b.shear_steps;
     for (int64_t k = 0;; k++) {
         if (tr_run_stopped(t->options))
-            return tr_status_fail(st, TR_INTERRUPTED, "stopped at strain %.4f of %g", t->state.strain,
-                                  t->scene->shear.strain_end);
-        if (!tr_biaxial_forces(&t->b, st)) return false;
-        unsigned due = tr_outputs_due(&t->out, k, total);
+            return tr_status_fail(st, TR_INTERRUPTED, "stopped %sat strain %.4f of %g",
+                                  t->rehearsal ? "in the rehearsal " : "", t->state.strain, t->scene->shear.strain_end);
+        if (!tr_biaxial_forces(&t->b, st) || !tr_recorder_step(&t->out.recorder, st)) return false;
+        unsigned due = t->rehearsal ? 0 : tr_outputs_due(&t->out, k, total);
         if (due && !look(t, due, st)) return false;
         if (k == total) return true;
-        if (k % 256 == 0) tr_run_progress(t->options, "shear", (double)k / (double)total);
+        if (k % 256 == 0) tr_run_progress(t->options, t->rehearsal ? "rehearsal" : "shear", (double)k / (double)total);
         tr_step_advance(&t->b.world);
     }
+}
+
+/* Which contact is the most mobilised at the end: the same run, bit for bit, without outputs. */
+static bool rehearse(test *t, tr_status *st) {
+    t->rehearsal = true;
+    bool ok = tr_biaxial_init(&t->b, t->scene, st) && compact(t, st) && shear(t, st);
+    if (ok) t->most = tr_recorder_most(&t->b.world, st);
+    tr_biaxial_free(&t->b);
+    t->rehearsal = false;
+    return ok && !st->code;
 }
 
 static void report(test *t, const tr_strength *s, const tr_timing *timing) {
@@ -191,8 +203,9 @@ bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run
     double started = tr_run_clock();
     bool ok = (t->series.strain = tr_alloc(rows, sizeof(double), st)) &&
               (t->series.sin_phi = tr_alloc(rows, sizeof(double), st)) &&
-              (t->series.void_ratio = tr_alloc(rows, sizeof(double), st)) && tr_biaxial_init(&t->b, scene, st) &&
-              tr_run_open(scene, options, st) && compact(t, st);
+              (t->series.void_ratio = tr_alloc(rows, sizeof(double), st)) && tr_run_check_biaxial(scene, st) &&
+              tr_run_open(scene, options, st) && (!tr_recorder_wants_most(scene) || rehearse(t, st)) &&
+              tr_biaxial_init(&t->b, scene, st) && compact(t, st);
     if (ok) {
         const tr_wall *w = t->b.world.wall;
         t->e0 =
@@ -200,7 +213,9 @@ bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run
         set_view(t);
         double shear_started = tr_run_clock();
         t->b.world.contact_updates = 0;
-        if (tr_outputs_open(&t->out, scene, options, "biaxial.mp4", t->b.shear_steps, report, st)) shear(t, st);
+        if (tr_outputs_open(&t->out, scene, options, "biaxial.mp4", t->b.shear_steps, report, st) &&
+            tr_recorder_open(&t->out.recorder, scene, t->most, &t->b.world, options->dir, report, st))
+            shear(t, st);
         double stepping = tr_run_clock() - shear_started - t->out.seconds;
         ok = tr_outputs_close(&t->out, st) && summarise(t, started, stepping, st);
     }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A scene of a few bodies with its outputs. It runs twice: the first run writes nothing and finds the part of the plane
- * and the speeds that the film must hold, so that the picture stands still while the bodies move. */
+ * and the speeds that the film must hold, so that the picture stands still while the bodies move, and which contact is the
+ * most mobilised at the end. */
 #include "base/alloc.h"
 #include "core/bodies.h"
 #include "core/step.h"
@@ -16,6 +17,7 @@ typedef struct show {
     tr_outputs out;
     tr_view view;
     bool rehearsal;
+    tr_scene_pick most; /* contact at the end of the rehearsal */
 } show;
 
 static double time_of(const show *s) {
@@ -67,11 +69,11 @@ static bool play(show *s, tr_status *st) {
     int64_t total = s->b.steps;
     for (int64_t k = 0;; k++) {
         if (tr_run_stopped(s->options) && s->rehearsal)
-            return tr_status_fail(st, TR_INTERRUPTED, "stopped in the rehearsal for the film; %s holds case.yaml only",
+            return tr_status_fail(st, TR_INTERRUPTED, "stopped in the rehearsal; %s holds case.yaml only",
                                   s->options->dir);
         if (tr_run_stopped(s->options))
             return tr_status_fail(st, TR_INTERRUPTED, "stopped at time %.4g s of %g s", time_of(s), s->scene->time_end);
-        if (!tr_step_forces(&s->b.world, st)) return false;
+        if (!tr_step_forces(&s->b.world, st) || !tr_recorder_step(&s->out.recorder, st)) return false;
         unsigned due = tr_outputs_due(&s->out, k, total) & (s->rehearsal ? TR_DUE_FRAME : ~0u);
         if (due && !look(s, due, st)) return false;
         if (k == total) return true;
@@ -92,6 +94,7 @@ static bool rehearse(show *s, tr_status *st) {
                         .y1 = -INFINITY};
     bool ok = tr_bodies_init(&s->b, s->scene, st);
     if (ok) s->view.time_end = s->scene->time_end, ok = play(s, st);
+    if (ok) s->most = tr_recorder_most(&s->b.world, st), ok = !st->code;
     /* Room for what lies around the disks: hatching of a floor, arcs along it. */
     double margin = 0.08 * fmax(s->view.x1 - s->view.x0, s->view.y1 - s->view.y0);
     s->view.x0 -= margin, s->view.x1 += margin, s->view.y0 -= margin, s->view.y1 += margin;
@@ -128,10 +131,13 @@ bool tr_run_bodies(const tr_scene *scene, const tr_run_options *options, tr_run_
     s->scene = scene, s->options = options;
     double started = tr_run_clock();
     bool ok = tr_run_check_bodies(scene, st) && tr_run_open(scene, options, st) &&
-              (!scene->output.frames || rehearse(s, st)) && tr_bodies_init(&s->b, scene, st);
+              (!(scene->output.frames || tr_recorder_wants_most(scene)) || rehearse(s, st)) &&
+              tr_bodies_init(&s->b, scene, st);
     if (ok) {
         double playing = tr_run_clock();
-        if (tr_outputs_open(&s->out, scene, options, "bodies.mp4", s->b.steps, report, st)) play(s, st);
+        if (tr_outputs_open(&s->out, scene, options, "bodies.mp4", s->b.steps, report, st) &&
+            tr_recorder_open(&s->out.recorder, scene, s->most, &s->b.world, options->dir, report, st))
+            play(s, st);
         double stepping = tr_run_clock() - playing - s->out.seconds;
         ok = tr_outputs_close(&s->out, st);
         tr_timing timing = {tr_run_clock() - started, (double)s->b.world.contact_updates / stepping};

@@ -8,6 +8,7 @@
 #include "out/table.h"
 #include "study/contact.h"
 #include "study/film.h"
+#include "study/recorder.h"
 #include "study/run.h"
 
 bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st);
@@ -44,6 +45,7 @@ typedef struct tr_outputs {
     const tr_run_options *options;
     tr_file history, contacts;
     tr_film film;
+    tr_recorder recorder;
     int rows, instants; /* written so far */
     tr_record *records;
     int capacity;

@@ -80,7 +80,7 @@ static const bad_case rows[] = {
      "step, "
      "output, disks, walls\nseed: 3\n^"},
     {GOOD_BODIES "output: {energy: yes}\n", 0, NULL,
-     "a.yaml:5:10: error: `output.energy` is not for `kind: bodies`; allowed here: frames, rows, contacts"
+     "a.yaml:5:10: error: `output.energy` is not for `kind: bodies`; allowed here: frames, rows, contacts, paths"
      "\noutput: {energy: yes}\n         ^"},
     {GOOD "output: {color: mobilization}\n", 0, NULL,
      "a.yaml:5:17: error: `mobilization` is not a choice for `color` (did you mean `mobilisation`?); allowed is "

@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: MIT */
+#include "study/recorder.h"
+
+#include "core/record.h"
+#include "out/table.h"
+#include "study/run_internal.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double TOLERANCE = 1.0 / 500;
+enum { P = 2, CHANNELS = TR_PATH_CHANNELS };
+
+bool tr_recorder_wants_most(const tr_scene *scene) {
+    const tr_scene_picks *picks = &scene->output.paths;
+    for (int k = 0; k < picks->n; k++)
+        if (picks->item[k].a == picks->item[k].b) return true;
+    return false;
+}
+
+tr_scene_pick tr_recorder_most(tr_world *world, tr_status *st) {
+    tr_record *records = NULL;
+    int capacity = 0, n = tr_record_all(world, &records, &capacity, st);
+    tr_scene_pick most = {0};
+    double largest = 0;
+    for (int i = 0; i < n; i++)
+        if (records[i].mobilisation > largest)
+            largest = records[i].mobilisation, most = (tr_scene_pick){records[i].a, records[i].b};
+    free(records);
+    return most;
+}
+
+bool tr_recorder_open(tr_recorder *r, const tr_scene *scene, tr_scene_pick most, tr_world *world, const char *dir,
+                      tr_run_report *report, tr_status *st) {
+    const tr_scene_picks *picks = &scene->output.paths;
+    *r = (tr_recorder){.shape = scene->shape, .dt = world->dt, .report = report};
+    if (!picks->n) return true;
+    if (!tr_dir_make(dir, "paths", st)) return false;
+    for (int k = 0; k < picks->n; k++) {
+        tr_scene_pick pick = picks->item[k];
+        char name[TR_PICK_NAME], file[TR_PICK_NAME + 16];
+        tr_scene_pick_name(pick, name);
+        snprintf(file, sizeof file, "paths/%s.csv", name);
+        if (pick.a == pick.b) {
+            pick = most;
+            tr_scene_pick_name(pick, name);
+            if (pick.a == pick.b) {
+                tr_run_note(report, "no path of most-mobilised: no contact has friction at the end");
+                continue;
+            }
+            tr_run_note(report, "most-mobilised is %s; the case was run twice to find it", name);
+        }
+        int n = r->paths.picks.n;
+        if (!tr_file_open(&r->item[n].file, dir, file, st)) return false;
+        r->paths.picks.item[r->paths.picks.n++] = pick;
+    }
+    tr_paths_attach(world, &r->paths);
+    return true;
+}
+
+static bool write_point(const tr_recorder *r, struct tr_recorded *c, int64_t step, const double now[CHANNELS],
+                        tr_status *st) {
+    tr_row row = {.shape = r->shape};
+    tr_row_add(&row, now[0] + 0.0, "u_slide_m"); /* a zero has no sign in a table */
+    tr_row_add(&row, now[1] + 0.0, "u_roll_m");
+    tr_row_add(&row, now[2], "P_N_per_m|P_N");
+    tr_row_add(&row, (double)step * r->dt, "time_s");
+    tr_row_add(&row, now[3] + 0.0, "Q_N_per_m|Q_N");
+    memcpy(c->row, now, sizeof c->row);
+    c->row_step = step;
+    return tr_row_write_exact(&row, &c->file, st);
+}
+
+static bool is_far(const struct tr_recorded *c, const double now[CHANNELS]) {
+    bool far = false;
+    for (int i = 0; i < CHANNELS; i++) far |= fabs(now[i] - c->row[i]) > TOLERANCE * (c->high[i] - c->low[i]);
+    return far;
+}
+
+static bool look(const tr_recorder *r, struct tr_recorded *c, tr_path_point point, tr_status *st) {
+    const double now[CHANNELS] = {point.u_slide, point.u_roll, point.P, point.Q};
+    bool first = r->steps == 1, turns = (now[P] > 0) != (c->before[P] > 0);
+    bool leaves = turns || is_far(c, now) || is_far(c, c->before); /* the latter: a jump in the step behind a row */
+    for (int i = 0; i < CHANNELS; i++) c->low[i] = fmin(c->low[i], now[i]), c->high[i] = fmax(c->high[i], now[i]);
+    c->touched |= now[P] > 0;
+    if (leaves && !first && c->row_step < r->steps - 1 && !write_point(r, c, r->steps - 1, c->before, st)) return false;
+    memcpy(c->before, now, sizeof now);
+    return !(first || turns) || write_point(r, c, r->steps, now, st);
+}
+
+bool tr_recorder_step(tr_recorder *r, tr_status *st) {
+    r->steps++;
+    bool ok = true;
+    for (int k = 0; ok && k < r->paths.picks.n; k++) ok = look(r, &r->item[k], tr_paths_take(&r->paths, k), st);
+    return ok;
+}
+
+void tr_recorder_close(tr_recorder *r, tr_status *st) {
+    char apart[160] = "";
+    for (int k = 0; k < r->paths.picks.n; k++) {
+        struct tr_recorded *c = &r->item[k];
+        char name[TR_PICK_NAME];
+        tr_scene_pick_name(r->paths.picks.item[k], name);
+        size_t used = strlen(apart);
+        if (!c->touched) snprintf(apart + used, sizeof apart - used, " %s", name);
+        bool whole =
+            c->file.stream && r->steps && (c->row_step == r->steps || write_point(r, c, r->steps, c->before, st));
+        if (whole)
+            tr_file_commit(&c->file, st);
+        else
+            tr_file_discard(&c->file);
+    }
+    if (*apart && r->steps) tr_run_note(r->report, "paths of contacts that never touched:%s", apart);
+}

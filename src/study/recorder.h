@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: MIT */
+/* paths/NAME.csv for each contact of output.paths: its path (study/path.h) and, as a further column, its friction Q.
+ *
+ * A row per step would be far too many. Of u_slide, u_roll, P and Q each step is compared with the last row: where one
+ * of them has moved by more than 1/500 of the range that it has had so far, 0 among it, the step before is written. So
+ * all steps between two rows, and the straight line between them, are within 1/500 of the range of a row, and the line
+ * is within 2/500 of the path. The first and the last step are rows, and both steps where the contact opens or closes;
+ * two rows that differ by more are neighbouring steps.
+ *
+ * Q is among them so that a law can be replayed: sliding over millimetres leaves the range of u_slide blind to the
+ * micrometres of a spring that turns back, and Q is not. In a replay a stretch between two rows is one step. Where
+ * coulomb-spring sticks it adds no error; where it slips it forgets that of before, and Q and mu P have moved by their
+ * tolerance at most: |Q - recorded| <= 2/500 (range of Q + mu max P), which does not grow with the number of rows. Laws
+ * that creep are of first order in the rows as they are in the steps.
+ *
+ * time_s counts from a step before the first row: a row is the end of a step, in the first of which nothing moves. */
+#ifndef TR_RECORDER_H
+#define TR_RECORDER_H
+
+#include "core/paths.h"
+#include "out/dir.h"
+#include "study/run.h"
+
+enum { TR_PATH_CHANNELS = 4 }; /* u_slide, u_roll, P, Q */
+
+typedef struct tr_recorder {
+    tr_paths paths;
+    tr_shape shape;
+    int64_t steps; /* looked at */
+    double dt;
+    tr_run_report *report;
+    struct tr_recorded {
+        tr_file file;
+        double row[TR_PATH_CHANNELS], before[TR_PATH_CHANNELS]; /* the last row written; the step before */
+        double low[TR_PATH_CHANNELS], high[TR_PATH_CHANNELS];
+        int64_t row_step;
+        bool touched;
+    } item[TR_MAX_PICKS];
+} tr_recorder;
+
+/* most: what most-mobilised stands for; a == b: there is none. The recorder must not move until it is closed. */
+bool tr_recorder_open(tr_recorder *r, const tr_scene *scene, tr_scene_pick most, tr_world *world, const char *dir,
+                      tr_run_report *report, tr_status *st);
+bool tr_recorder_step(tr_recorder *r, tr_status *st);  /* after every tr_step_forces */
+void tr_recorder_close(tr_recorder *r, tr_status *st); /* whatever ended the run: rows are whole */
+
+/* The scene asks for the most mobilised contact. It is known only at the end, so a first run, the same bit for bit,
+ * has to find it. Of several with the same mobilisation it is the first of contacts.csv. */
+bool tr_recorder_wants_most(const tr_scene *scene);
+tr_scene_pick tr_recorder_most(tr_world *world, tr_status *st);
+
+#endif
