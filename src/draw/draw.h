@@ -34,6 +34,9 @@ typedef struct tr_view {
     const char *title;     /* NULL: none, the picture takes its place */
     const tr_view_line *line;
     int n_lines;
+    const tr_patch_state *inset; /* biaxial: the inside of the contact of disks inset_a and inset_b; NULL: none */
+    const tr_patch_pair *inset_pair;
+    int inset_a, inset_b;
 } tr_view;
 
 typedef struct tr_canvas tr_canvas;

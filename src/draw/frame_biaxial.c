@@ -4,6 +4,7 @@
  * Cost is in strokes, so all disks are filled as one path (rims first, then the slightly smaller bodies: two fills cost
  * less than one stroke), and contact lines are quadrilaterals, one path for each of a few dozen colours. */
 #include "draw/frame.h"
+#include "draw/patch_plot.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -137,11 +138,33 @@ static void draw_width_key(cairo_t *cr, tr_shape shape, double mean, double widt
     tr_pen_text(cr, (tr_text){.x = TR_PANEL_X + 64, .y = y, .size = 22, .room = TR_PANEL_W - 64}, label);
 }
 
+/* In the panel, where it covers no disk, from top to bottom; a line leads to its contact while there is one. */
+static void draw_inset(cairo_t *cr, const tr_view *view, const tr_map *map, double top, double bottom) {
+    double r1, r2;
+    tr_point p = disk_point(view, map, view->inset_a, &r1), q = disk_point(view, map, view->inset_b, &r2);
+    double part = r1 / (r1 + r2), ring = 0.5 * fmin(r1, r2);
+    tr_point at = {p.x + part * (q.x - p.x), p.y + part * (q.y - p.y)}, to = {TR_PANEL_X - 12, 0.5 * (top + bottom)};
+    char label[64];
+    snprintf(label, sizeof label, "inside of contact %d-%d%s", view->inset_a, view->inset_b,
+             view->inset->P > 0 ? "" : ", open");
+    tr_pen_hue(cr, TR_INK);
+    if (view->inset->P > 0 && tr_frame_seen(at, ring)) {
+        double length = hypot(to.x - at.x, to.y - at.y);
+        tr_point from = {at.x + ring * (to.x - at.x) / length, at.y + ring * (to.y - at.y) / length};
+        tr_pen_line(cr, from, to, 2);
+        cairo_arc(cr, at.x, at.y, ring, 0, 2 * M_PI);
+        cairo_set_line_width(cr, 2);
+        cairo_stroke(cr);
+    }
+    tr_pen_text(cr, (tr_text){.x = TR_PANEL_X, .y = top + 22, .size = 22, .room = TR_PANEL_W}, label);
+    tr_draw_patch_inset(cr, TR_PANEL_X, top + 34, TR_PANEL_W, bottom - top - 34, view->inset, view->inset_pair);
+}
+
 void tr_draw_biaxial(tr_canvas *canvas, const tr_view *view) {
     cairo_t *cr = canvas->cr;
-    double y, mean = view->f_mean > 0 ? view->f_mean : mean_force(view);
+    double y, panel, mean = view->f_mean > 0 ? view->f_mean : mean_force(view);
     double range = view->range > 0 ? view->range : tr_frame_range(view->record, view->n_records, view->color);
-    tr_map map = tr_frame_start(cr, view, &y);
+    tr_map map = tr_frame_start(cr, view, &panel);
     y = TR_FRAME_HEIGHT - TR_EDGE - 72;
     draw_color_bar(cr, view, range, y);
     if (map.scale == 0) return;
@@ -149,5 +172,6 @@ void tr_draw_biaxial(tr_canvas *canvas, const tr_view *view) {
     bool forces = mean > 0 && isfinite(mean);
     if (forces) draw_contacts(cr, view, &map, range, mean);
     draw_walls(cr, view, &map);
+    if (view->inset) draw_inset(cr, view, &map, panel, y - 88);
     if (forces) draw_width_key(cr, view->world->shape, mean, mean_width(view, &map), y - 52);
 }

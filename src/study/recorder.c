@@ -95,6 +95,11 @@ bool tr_recorder_step(tr_recorder *r, tr_status *st) {
     return ok;
 }
 
+tr_path_point tr_recorder_now(const tr_recorder *r, int k) {
+    const double *now = r->item[k].before;
+    return (tr_path_point){now[0], now[1], now[2], now[3]};
+}
+
 void tr_recorder_close(tr_recorder *r, tr_status *st) {
     char apart[160] = "";
     for (int k = 0; k < r->paths.picks.n; k++) {

@@ -44,6 +44,9 @@ bool tr_recorder_open(tr_recorder *r, const tr_scene *scene, tr_scene_pick most,
 bool tr_recorder_step(tr_recorder *r, tr_status *st);  /* after every tr_step_forces */
 void tr_recorder_close(tr_recorder *r, tr_status *st); /* whatever ended the run: rows are whole */
 
+/* Where contact k of paths.picks has got to. */
+tr_path_point tr_recorder_now(const tr_recorder *r, int k);
+
 /* The scene asks for the most mobilised contact. It is known only at the end, so a first run, the same bit for bit,
  * has to find it. Of several with the same mobilisation it is the first of contacts.csv. */
 bool tr_recorder_wants_most(const tr_scene *scene);

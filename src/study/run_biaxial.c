@@ -5,6 +5,7 @@
 #include "out/plot.h"
 #include "out/summary.h"
 #include "base/alloc.h"
+#include "study/inset.h"
 #include "study/run_internal.h"
 #include <math.h>
 #include <stdlib.h>
@@ -17,7 +18,8 @@ typedef struct test {
     tr_run_report *report;
     tr_outputs out;
     tr_series series;
-    tr_view view; /* what stays the same in every frame */
+    tr_inset inset; /* of the frames: the inside of the first contact whose path is recorded */
+    tr_view view;   /* what stays the same in every frame */
     char title[96];
     bool rehearsal; /* a run without outputs, which finds: */
     tr_scene_pick most;
@@ -86,6 +88,10 @@ static bool frame(test *t, int n_records, const tr_measures *m, tr_status *st) {
     tr_view view = t->view;
     view.record = t->out.records, view.n_records = n_records;
     view.time = t->state.time;
+    if (t->inset.solver) {
+        view.inset = tr_half_plane_state(t->inset.solver), view.inset_pair = &t->inset.pair;
+        view.inset_a = t->inset.pick.a, view.inset_b = t->inset.pick.b;
+    }
     view.line = line, view.n_lines = 5;
     return tr_outputs_frame(&t->out, tr_draw_biaxial, &view, st);
 }
@@ -119,6 +125,22 @@ static bool look(test *t, unsigned due, tr_status *st) {
     return true;
 }
 
+static void open_inset(test *t) {
+    const tr_paths *paths = &t->out.recorder.paths;
+    tr_status why = {0};
+    if (!t->scene->output.frames || !paths->picks.n) return;
+    if (!tr_inset_open(&t->inset, &t->b.world, paths->picks.item[0], &why))
+        tr_run_note(t->report, "no inset in the frames: it takes two disks whose laws have mu and E_star");
+}
+
+/* A test goes on without its inset. */
+static void step_inset(test *t, bool for_frame) {
+    tr_status why = {0};
+    if (!t->inset.solver || tr_inset_step(&t->inset, tr_recorder_now(&t->out.recorder, 0), for_frame, &why)) return;
+    tr_run_note(t->report, "no inset from strain %.4f on: %.120s", t->state.strain, why.text);
+    tr_inset_close(&t->inset);
+}
+
 static bool shear(test *t, tr_status *st) {
     int64_t total = t->b.shear_steps;
     for (int64_t k = 0;; k++) {
@@ -127,6 +149,7 @@ static bool shear(test *t, tr_status *st) {
                                   t->rehearsal ? "in the rehearsal " : "", t->state.strain, t->scene->shear.strain_end);
         if (!tr_biaxial_forces(&t->b, st) || !tr_recorder_step(&t->out.recorder, st)) return false;
         unsigned due = t->rehearsal ? 0 : tr_outputs_due(&t->out, k, total);
+        step_inset(t, due & TR_DUE_FRAME);
         if (due && !look(t, due, st)) return false;
         if (k == total) return true;
         if (k % 256 == 0) tr_run_progress(t->options, t->rehearsal ? "rehearsal" : "shear", (double)k / (double)total);
@@ -215,11 +238,12 @@ bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run
         t->b.world.contact_updates = 0;
         if (tr_outputs_open(&t->out, scene, options, "biaxial.mp4", t->b.shear_steps, report, st) &&
             tr_recorder_open(&t->out.recorder, scene, t->most, &t->b.world, options->dir, report, st))
-            shear(t, st);
+            open_inset(t), shear(t, st);
         double stepping = tr_run_clock() - shear_started - t->out.seconds;
         ok = tr_outputs_close(&t->out, st) && summarise(t, started, stepping, st);
     }
     tr_biaxial_free(&t->b);
+    tr_inset_close(&t->inset);
     free(t->series.strain), free(t->series.sin_phi), free(t->series.void_ratio), free(t);
     return ok;
 }

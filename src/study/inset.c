@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: MIT */
+#include "study/inset.h"
+
+#include "laws/law.h"
+#include <math.h>
+
+enum { ELEMENTS = 60 };
+
+/* A parameter of the friction law, else of the normal law, else 0. */
+static double value_of(const tr_group *g, const char *key) {
+    for (int k = TR_FRICTION; k >= TR_NORMAL; k--) {
+        const double *value = tr_law_value(g->slot[k].law, g->slot[k].par, key);
+        if (value) return *value;
+    }
+    return 0;
+}
+
+bool tr_inset_open(tr_inset *inset, const tr_world *world, tr_scene_pick pick, tr_status *st) {
+    *inset = (tr_inset){.pick = pick};
+    if (world->shape != TR_SHAPE_DISK || pick.a < 0) return false;
+    const tr_group *g = &world->group[0];
+    tr_pair_bodies bodies = tr_world_pair(world, g, pick.a, pick.b);
+    double depth = value_of(g, "depth");
+    inset->pair = (tr_patch_pair){.R_star = tr_law_R_star(bodies.R1, bodies.R2),
+                                  .E_star = value_of(g, "E_star"),
+                                  .d = depth > 0 ? depth : 2 * sqrt(bodies.R1 * bodies.R2) / M_E,
+                                  .mu = value_of(g, "mu")};
+    return (inset->solver = tr_half_plane_new(&inset->pair, ELEMENTS, st)) != NULL; /* which refuses 0 */
+}
+
+void tr_inset_close(tr_inset *inset) {
+    tr_half_plane_free(inset->solver);
+    inset->solver = NULL;
+}
+
+static bool is_due(const tr_inset *inset, tr_path_point now) {
+    const tr_patch_pair *pair = &inset->pair;
+    const tr_path_point *at = &inset->at;
+    double a = tr_patch_a(pair, now.P), before = tr_patch_a(pair, at->P);
+    return (now.P > 0) != (at->P > 0) || fabs(now.u_roll - at->u_roll) > 2 * a / ELEMENTS ||
+           fabs(now.u_slide - at->u_slide) > 0.05 * pair->mu * a * a / (2 * pair->R_star) ||
+           fabs(a - before) > 2 * a / ELEMENTS;
+}
+
+bool tr_inset_step(tr_inset *inset, tr_path_point now, bool for_frame, tr_status *st) {
+    if (!inset->solver || !(for_frame || is_due(inset, now))) return true;
+    tr_patch_step step = {.P = now.P, .dr = now.u_roll - inset->at.u_roll, .du = now.u_slide - inset->at.u_slide};
+    inset->at = now;
+    return tr_half_plane_step(inset->solver, &step, st);
+}
