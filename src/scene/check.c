@@ -160,7 +160,7 @@ static bool check_picks(const checker *c, const tr_scope *s) {
     int disks = scene->kind == TR_KIND_BIAXIAL ? scene->sample.disks : scene->n_disks;
     const tr_entry *e = tr_resolve_entry(s, "paths");
     const tr_node *node = e->node && e->node->type == TR_NODE_LIST ? e->node->child : e->node;
-    for (int i = 0; i < picks->n; i++, node = node->next) {
+    for (int i = 0; i < picks->n && node; i++, node = node->next) { /* as many nodes as picks */
         tr_scene_pick pick = picks->item[i];
         if (pick.b < disks && pick.a >= -walls) continue;
         return tr_text_fail(c->r->st, node->mark, "there is no contact `%s`: disks count from 0 to %d, walls are %d",
