@@ -2,6 +2,7 @@
 #include "base/param.h"
 
 #include <assert.h>
+#include <stdbool.h>
 #include <string.h>
 
 const char *tr_param_by_shape(const char *text, tr_shape shape, char buffer[TR_BY_SHAPE]) {
@@ -13,4 +14,14 @@ const char *tr_param_by_shape(const char *text, tr_shape shape, char buffer[TR_B
     memcpy(buffer, text, n);
     buffer[n] = '\0';
     return buffer;
+}
+
+unsigned tr_param_demands(const tr_param_table *table, const void *par) {
+    for (int i = 0; i < table->n && table->demands_if; i++) {
+        const tr_param *p = &table->params[i];
+        bool is_it = strcmp(p->key, table->demands_if) == 0;
+        if (is_it && !*(const bool *)((const char *)par + p->offset))
+            return table->demands & ~(unsigned)(TR_NEEDS_TIME | TR_NEEDS_DENSITY);
+    }
+    return table->demands;
 }

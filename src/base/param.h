@@ -92,6 +92,9 @@ typedef struct tr_param_table {
     const char *driver_choice; /* a choice of one of the parameters that only kind: contact has; NULL: none */
 } tr_param_table;
 
+/* The demands of a law with these parameters, a struct as its rows describe it. */
+unsigned tr_param_demands(const tr_param_table *table, const void *par);
+
 /* What the registry of laws tells the reader of cases, which does not see laws. Name of law i: normal[i]->name. */
 typedef struct tr_param_catalog {
     const tr_param_table *const *normal, *const *friction, *const *rolling;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What laws of friction on the bed need to know of rolling: its distance, and the size of the contact by Hertz. */
+/* What laws of friction on the bed need to know of rolling: its distance. */
 #ifndef TR_CREEP_H
 #define TR_CREEP_H
 
@@ -34,12 +34,6 @@ typedef struct tr_creep_par {
 static inline double tr_creep_roll(const tr_creep_par *p, const tr_tile *tile, int i) {
     double weight = p->creep_roll ? tile->g1[i] : 0.5;
     return fabs((1 - weight) * tile->s1[i] + weight * tile->s2[i]) * tile->dt;
-}
-
-/* Half-width of the line contact, sqrt(4 P R/(pi E*)), or radius of the circle, cbrt(3 P R/(4 E*)) [m] [Johnson1985 sec.
- * 4.2]. */
-static inline double tr_creep_width(tr_shape shape, double P, double R_star, double E_star) {
-    return shape == TR_SHAPE_SPHERE ? cbrt(0.75 * P * R_star / E_star) : sqrt(4 / M_PI * P * R_star / E_star);
 }
 
 #endif

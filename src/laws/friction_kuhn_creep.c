@@ -36,7 +36,7 @@ static double C11(double nu) {
 
 /* F(1). */
 static double greatest_creep(const tr_creep_par *p, tr_shape shape, double R1, double R2, double P) {
-    double R = tr_law_R_star(R1, R2), slope = p->bed.mu * tr_creep_width(shape, P, R, p->E_star) / R;
+    double R = tr_law_R_star(R1, R2), slope = p->bed.mu * tr_law_width(shape, P, R, p->E_star) / R;
     return shape == TR_SHAPE_SPHERE ? 4 / ((1 - p->bed.nu) * C11(p->bed.nu)) * slope : slope;
 }
 

@@ -20,6 +20,7 @@
 #define TR_LAW_H
 
 #include "base/param.h"
+#include <math.h>
 #include <stdbool.h>
 
 enum {
@@ -86,6 +87,16 @@ static inline double tr_law_R_star(double R1, double R2) {
 }
 static inline double tr_law_m_eff(const tr_pair_bodies *b) {
     return b->R1 > 0 ? b->m1 * b->m2 / (b->m1 + b->m2) : b->m2;
+}
+
+/* Half-width of the line contact, or radius of the circle, by Hertz [m] [Johnson1985 eqs. 4.45, 4.22]. */
+static inline double tr_law_width(tr_shape shape, double P, double R_star, double E_star) {
+    return shape == TR_SHAPE_SPHERE ? cbrt(0.75 * P * R_star / E_star) : sqrt(4 / M_PI * P * R_star / E_star);
+}
+/* The depth d of the approach of a line contact [m]; 0 stands for that of disks pressed between plates, 2 sqrt(R1 R2)/e,
+ * 2 R2/e at a wall. */
+static inline double tr_law_depth(double given, double R1, double R2) {
+    return given > 0 ? given : 2 / M_E * (R1 > 0 ? sqrt(R1 * R2) : R2);
 }
 
 /* The elastic part of a normal law at one overlap. */

@@ -37,10 +37,6 @@ static const tr_param params[] = {
      "normal dashpot, as a share of critical damping of the pair at the stiffness of now"},
 };
 
-static double depth(const par *p, double R1, double R2) {
-    return p->depth > 0 ? p->depth : 2 / M_E * (R1 > 0 ? sqrt(R1 * R2) : R2);
-}
-
 /* What all formulas need. */
 typedef struct line {
     double K;     /* pi E_star [Pa] */
@@ -48,7 +44,7 @@ typedef struct line {
 } line;
 
 static line line_of(const par *p, double R1, double R2) {
-    double d = depth(p, R1, R2);
+    double d = tr_law_depth(p->depth, R1, R2);
     return (line){M_PI * p->E_star, tr_law_R_star(R1, R2) / (d * d)};
 }
 

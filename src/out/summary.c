@@ -164,9 +164,8 @@ char *tr_summary_contact(const tr_scene *scene, int64_t steps, const tr_path_res
 
 char *tr_summary_patch(const tr_scene *scene, int64_t steps, const tr_patch_result *r, const tr_timing *timing,
                        tr_status *st) {
-    static const char *const solvers[] = {"half-plane", "brush", "carter", "cattaneo"};
     json_t *o = begin(scene, "patch");
-    json_object_set_new(o, "solver", json_string(solvers[scene->patch.solver]));
+    json_object_set_new(o, "solver", json_string(r->solver));
     json_object_set_new(o, "elements", json_integer(scene->patch.elements));
     json_object_set_new(o, "segments", json_integer(scene->n_segments));
     json_object_set_new(o, "steps", json_integer(steps));

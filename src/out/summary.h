@@ -48,6 +48,7 @@ char *tr_summary_contact(const tr_scene *scene, int64_t steps, const tr_path_res
 
 /* kind: patch. */
 typedef struct tr_patch_result {
+    const char *solver;
     double Q_end, q_end, u_slide_end; /* [N/m 1 m] */
     double dissipated;                /* along the path [N] (J per metre) */
 } tr_patch_result;

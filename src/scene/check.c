@@ -75,21 +75,18 @@ static bool check_law_depth(const checker *c, const tr_scope *s) {
     return check_depth(c, d, *(double *)E_star->value, where);
 }
 
-static bool needed(const tr_scope *s, const tr_param_table *law) {
-    return !law->demands_if || *(const bool *)tr_resolve_entry(s, law->demands_if)->value;
-}
-
 /* What a law must know of a prescribed path. */
-static bool check_demands(const checker *c, const tr_scope *s, const char *slot, const tr_param_table *law) {
+static bool check_demands(const checker *c, const tr_scope *s, const char *slot, const tr_param_table *law,
+                          const void *par) {
     const tr_scene *scene = c->scene;
-    if (!needed(s, law)) return true;
-    if (law->demands & TR_NEEDS_DENSITY && scene->pair.density == 0)
+    unsigned demands = tr_param_demands(law, par);
+    if (demands & TR_NEEDS_DENSITY && scene->pair.density == 0)
         return tr_text_fail(c->r->st, tr_check_scope(c->r, "bodies", -1)->mark,
                             "`bodies.density` is missing: %s law %s of `%s.%d` depends on the inertia of the bodies",
                             slot, law->name, s->section, s->item);
     for (int i = 0; i < scene->n_segments; i++) {
         const tr_scope *segment = tr_check_scope(c->r, "path", i);
-        if (law->demands & TR_NEEDS_TIME && scene->path[i].time == 0)
+        if (demands & TR_NEEDS_TIME && scene->path[i].time == 0)
             return tr_text_fail(c->r->st, segment->mark,
                                 "`path.%d.time` is missing: %s law %s of `%s.%d` depends on the rate", i, slot,
                                 law->name, s->section, s->item);
@@ -103,7 +100,7 @@ static bool check_laws(const checker *c, const tr_scope *s, const void *base) {
         const tr_scene_law *law = (const void *)((const char *)base + slot.offset);
         const tr_param_table *table = slot.laws[law->law];
         if (!check_law(c, s, slot.key, table)) return false;
-        if (c->scene->kind == TR_KIND_CONTACT && !check_demands(c, s, slot.key, table)) return false;
+        if (c->scene->kind == TR_KIND_CONTACT && !check_demands(c, s, slot.key, table, law->par)) return false;
     }
     return c->scene->kind != TR_KIND_CONTACT || check_law_depth(c, s);
 }
@@ -133,6 +130,9 @@ static bool check_patch(const checker *c) {
     tr_scene *scene = c->scene;
     tr_scene_pair *pair = &scene->pair;
     pair->d = pair->depth;
+    if (scene->path_file && (scene->patch.solver == TR_CARTER || scene->patch.solver == TR_CATTANEO))
+        return tr_text_fail(c->r->st, tr_resolve_entry(c->r->scopes, "solver")->node->mark,
+                            "the closed forms are not for any path: with `path: FILE` take half-plane or brush");
     if (scene->path_file) return true; /* which is looked at when it is read */
     double P = scene->path[0].force, mu = scene->patch.mu;
     if (P == 0)

@@ -33,12 +33,6 @@ struct tr_contact {
     line *lines;                    /* one for each item of laws */
 };
 
-/* Half-width of the contact of disks [Johnson1985 eq. 4.45], radius of that of spheres [Johnson1985 eq. 4.22]. */
-static double half_width(const tr_scene *scene, double E_star, double P) {
-    double R = scene->pair.R_star;
-    return scene->shape == TR_SHAPE_SPHERE ? cbrt(3 * P * R / (4 * E_star)) : sqrt(4 * P * R / (M_PI * E_star));
-}
-
 /* Of an item: that of its friction law, of its normal law, or of the bodies. */
 static double modulus(const tr_scene_contact *laws, const tr_scene *scene) {
     const double *friction = tr_law_value(tr_laws_friction[laws->friction.law], laws->friction.par, "E_star");
@@ -89,8 +83,7 @@ static void set_line(line *l, const tr_scene_contact *laws, const tr_scene *scen
 static bool set_exact(line *l, const tr_scene_contact *laws, const tr_scene *scene, tr_status *st) {
     const double *par = laws->friction.par;
     if (!(l->friction->needs & TR_SOLVED_BY_PATCH)) return true;
-    double depth = *tr_law_value(l->friction, par, "depth");
-    if (depth == 0) depth = 2 * sqrt(l->R1 * l->R2) / M_E;
+    double depth = tr_law_depth(*tr_law_value(l->friction, par, "depth"), l->R1, l->R2);
     l->mu = *tr_law_value(l->friction, par, "mu");
     tr_patch_pair pair = {scene->pair.R_star, l->E_star, depth, l->mu};
     return (l->exact = tr_half_plane_new(&pair, *tr_law_count(l->friction, par, "elements"), st)) != NULL;
@@ -202,7 +195,7 @@ bool tr_contact_step(tr_contact *c, tr_contact_state *state, tr_status *st) {
                      (long long)s.step, s.segment);
             return false;
         }
-        s.law = i, s.P = l->P, s.overlap = l->delta, s.a = half_width(c->scene, l->E_star, l->P);
+        s.law = i, s.P = l->P, s.overlap = l->delta, s.a = tr_law_width(c->scene->shape, l->P, pair->R_star, l->E_star);
         read_line(l, &s);
         if (!is_finite(&s))
             return tr_status_fail(st, TR_NUMERICAL, "error: a number of laws.%d is not finite at step %lld (path.%d)",

@@ -20,10 +20,9 @@ bool tr_inset_open(tr_inset *inset, const tr_world *world, tr_scene_pick pick, t
     if (world->shape != TR_SHAPE_DISK || pick.a < 0) return false;
     const tr_group *g = &world->group[0];
     tr_pair_bodies bodies = tr_world_pair(world, g, pick.a, pick.b);
-    double depth = value_of(g, "depth");
     inset->pair = (tr_patch_pair){.R_star = tr_law_R_star(bodies.R1, bodies.R2),
                                   .E_star = value_of(g, "E_star"),
-                                  .d = depth > 0 ? depth : 2 * sqrt(bodies.R1 * bodies.R2) / M_E,
+                                  .d = tr_law_depth(value_of(g, "depth"), bodies.R1, bodies.R2),
                                   .mu = value_of(g, "mu")};
     return (inset->solver = tr_half_plane_new(&inset->pair, ELEMENTS, st)) != NULL; /* which refuses 0 */
 }

@@ -34,7 +34,7 @@ static bool cell(void *context, tr_csv *csv, int column, const char *text, size_
     return true;
 }
 
-/* The widest contact that an item's line law can have, as a force; see scene/read.c for paths in the case. */
+/* The widest contact that an item's line law can have, as a force; see scene/check.c for paths in the case. */
 static bool deep_enough(const path *p, tr_csv *csv) {
     for (int i = 0; i < p->scene->n_laws; i++) {
         const tr_scene_law *chosen = &p->scene->laws[i].normal;
@@ -43,8 +43,8 @@ static bool deep_enough(const path *p, tr_csv *csv) {
                      *E_star = tr_law_value(law, chosen->par, "E_star");
         const tr_scene_pair *pair = &p->scene->pair;
         if (!depth) continue;
-        double d = *depth > 0 ? *depth : 2 * sqrt(pair->R1 * pair->R2) / M_E; /* which 0 stands for */
-        double a = sqrt(4 * p->now[FORCE] * p->scene->pair.R_star / (M_PI * *E_star));
+        double d = tr_law_depth(*depth, pair->R1, pair->R2);
+        double a = tr_law_width(TR_SHAPE_DISK, p->now[FORCE], pair->R_star, *E_star);
         if (!(a < d))
             return tr_csv_fail(
                 csv, csv->row_line,
@@ -83,8 +83,9 @@ static bool row(void *context, tr_csv *csv) {
 /* Rates are not guessed. */
 static bool has_times(const path *p, tr_status *st) {
     for (int i = 0; i < p->scene->n_laws && !p->timed; i++) {
-        const tr_law *law = tr_laws_rolling[p->scene->laws[i].rolling.law];
-        if (law->table.demands & TR_NEEDS_TIME)
+        const tr_scene_law *chosen = &p->scene->laws[i].rolling;
+        const tr_law *law = tr_laws_rolling[chosen->law];
+        if (tr_param_demands(&law->table, chosen->par) & TR_NEEDS_TIME)
             return tr_status_fail(st, TR_BAD_CASE,
                                   "%.480s:1: error: no column time_s: the law %s of `laws.%d` depends on the rate",
                                   p->scene->path_file, law->table.name, i);

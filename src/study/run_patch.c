@@ -199,6 +199,7 @@ bool tr_run_patch(const tr_scene *scene, const tr_run_options *options, tr_run_r
     if (s) {
         s->scene = &played, s->options = options, s->pair = tr_inside_pair(&played);
         s->total = tr_contact_steps(&played);
+        s->result.solver = solver_name[played.patch.solver];
         ok = run(s, report, st);
         tr_inside_free(s->inside);
         free(s);

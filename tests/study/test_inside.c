@@ -17,6 +17,7 @@ typedef struct run {
     tr_scene scene;
     tr_inside *inside;
     int n;
+    double lost; /* by slip */
     tr_contact_state state[2000];
 } run;
 
@@ -31,9 +32,11 @@ static void drive(run *r, const char *solver, const char *path) {
     assert_non_null(r->inside);
     r->n = (int)tr_contact_steps(&r->scene);
     assert_true(r->n <= 2000);
+    r->lost = 0;
     for (int i = 0; i < r->n; i++) {
         if (!tr_inside_step(r->inside, &r->state[i], &st)) fail_msg("%s", st.text);
         assert_int_equal(r->state[i].step, i + 1);
+        r->lost += tr_inside_patch(r->inside)->dissipated;
     }
 }
 
@@ -82,7 +85,6 @@ static void closed_forms(void **state) {
     drive(&B, "half-plane", "[{force: 10 kN/m, slide: 0.1 um, steps: 7}, {force: 10 kN/m, slide: 0.3 um, steps: 13}]");
     tr_patch_pair c = tr_inside_pair(&A.scene);
     bool full = false;
-    double slip = 0, exact = 0;
     for (int i = 0; i < A.n; i++) {
         double u = i < 7 ? 1e-7 * (i + 1) / 7 : 1e-7 + 3e-7 * (i - 6) / 13;
         assert_close(A.state[i].u_slide, u, 1e-13, 0);
@@ -99,16 +101,13 @@ static void closed_forms(void **state) {
         assert_close(t->slip[i], 3e-7 / 13, 1e-12, 0);
     }
     end(&A), end(&B);
-    /* energy lost by slip up to Q = 0.8 mu P */
-    drive(&A, "cattaneo", "[{force: 10 kN/m, tangential: 0.8*mu*P, steps: 1}]");
-    drive(&B, "half-plane", "[{force: 10 kN/m, tangential: 0.8*mu*P, steps: 400}]");
-    slip = tr_inside_patch(A.inside)->dissipated;
-    /* by force, to the same slip in many steps: the sum of traction times slip is not that of one step */
-    s = tr_inside_patch(A.inside);
-    double most = 0;
-    for (int i = 0; i < s->n; i++) most = fmax(most, s->slip[i]), exact += s->h * s->tau[i] * s->slip[i];
-    assert_close(slip, exact, 1e-14, 0);
-    assert_true(most > 0 && s->slip[50] == 0);
+    /* Energy lost by slip up to Q = 0.8 mu P, in as many steps: slip of the closed form against that of the half-plane,
+     * of which 0.3 % is missing where stick ends. */
+    drive(&A, "cattaneo", "[{force: 10 kN/m, tangential: 0.8*mu*P, steps: 50}]");
+    drive(&B, "half-plane", "[{force: 10 kN/m, tangential: 0.8*mu*P, steps: 50}]");
+    print_message("lost by slip: %.6g J/m closed, %.6g half-plane\n", A.lost, B.lost);
+    assert_close(A.lost, B.lost, 1e-2, 0);
+    assert_true(A.lost > 0);
     end(&A), end(&B);
 }
 

@@ -113,6 +113,31 @@ static void refuses(void **state) {
     assert_non_null(strstr(st.text, "a.yaml:4:7: error: cannot read nowhere.csv: No such file or directory\n"));
 }
 
+/* Without the dashpot nothing depends on the rate: no times are asked for. The closed forms take no path from a file. */
+static void what_needs_no_times(void **state) {
+    (void)state;
+    tr_scene s;
+    tr_status st = {0};
+    char text[500];
+    write_file("u_slide_m,u_roll_m,P_N_per_m\n0,1e-6,1000\n");
+    snprintf(text, sizeof text,
+             "kind: contact\nbodies: {R1: 10 mm, R2: 30 mm, E: 70 GPa, nu: 0.3}\n"
+             "laws: [{rolling: star-displacement-damping}]\npath: %s\n",
+             file);
+    if (!read_case(&s, "a.yaml", text, &st) || !tr_path_read(&s, &st)) fail_msg("%s", st.text);
+    tr_scene_free(&s);
+    for (int k = 0; k < 4; k++) {
+        static const char *const solvers[] = {"half-plane", "brush", "carter", "cattaneo"};
+        st = (tr_status){0};
+        snprintf(text, sizeof text,
+                 "kind: patch\nbodies: {R1: 10 mm, R2: 30 mm, E: 70 GPa, nu: 0.3}\nmu: 0.3\nsolver: %s\npath: %s\n",
+                 solvers[k], file);
+        assert_int_equal(read_case(&s, "a.yaml", text, &st), k < 2);
+        assert_true(k < 2 || strstr(st.text, "a.yaml:4:9: error: the closed forms are not for any path"));
+        tr_scene_free(&s);
+    }
+}
+
 static int open_folder(void **state) {
     (void)state;
     if (!mkdtemp(folder)) return -1;
@@ -126,6 +151,7 @@ static int close_folder(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(same_as_written_out), cmocka_unit_test(refuses)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(same_as_written_out), cmocka_unit_test(refuses),
+                                       cmocka_unit_test(what_needs_no_times)};
     return cmocka_run_group_tests_name("path", tests, open_folder, close_folder);
 }
