@@ -82,7 +82,7 @@ static void sliding(lanes *b, const char *name, tr_motion_measures *out, size_t 
  * are the limits for R1 -> inf. */
 static void derive(const lanes *b, int i, const tr_motion *m, tr_motion_measures *out) {
     const tr_tile *t = &b->tile;
-    double R1 = b->R1[i], R2 = b->R2[i], g1 = b->g1[i], g2 = 1 - g1, w1 = t->w1[i], w2 = t->w2[i];
+    double g1 = b->g1[i], g2 = 1 - g1, w1 = t->w1[i], w2 = t->w2[i];
     double Vt = t->dvx[i] * t->ny[i] - t->dvy[i] * t->nx[i];
     double beta_dot = is_wall(m) ? 0 : -Vt / (t->r1[i] + t->r2[i]); /* r1 + r2 = |X21| */
     out->Vt = Vt;
@@ -90,7 +90,6 @@ static void derive(const lanes *b, int i, const tr_motion *m, tr_motion_measures
     out->s1 = t->s1[i], out->s2 = t->s2[i];
     out->Vs_wang = t->v_s[i];
     out->da = out->s1, out->db = -out->s2;          /* below [Wang2015 eq. 24] */
-    out->Vs_full_radii = R1 * w1 + R2 * w2 + Vt;    /* [Wang2015 eq. 12] */
     out->Vr_tordesillas = w1 - w2;                  /* [Wang2015 eq. 25] */
     out->Vr_jiang = g2 * out->da - g1 * out->db;    /* [Wang2015 eq. 26] */
     out->Us_jiang = 0.5 * (out->da + out->db);      /* [Wang2015 eq. 27] */
@@ -109,6 +108,7 @@ static void measure_tile(lanes *b, tr_pass_run *kinematics, const tr_motion *mot
     rolling(b, "alonso-mean", out, offsetof(tr_motion_measures, Vr_alonso_mean));
     sliding(b, "iwashita-oda", out, offsetof(tr_motion_measures, Us_iwashita_oda));
     sliding(b, "alonso", out, offsetof(tr_motion_measures, Vs_alonso));
+    sliding(b, "full-radius", out, offsetof(tr_motion_measures, Vs_full_radii));
 }
 
 bool tr_measures_motions(const tr_motion *motion, int n, tr_motion_measures *measures, tr_status *st) {

@@ -15,8 +15,8 @@ typedef struct motion {
 
 typedef struct measured {
     double nx, ny, delta, r1, r2, v_n, v_s, s1, s2;
-    double wang, bagi_kuhn, alonso_min, alonso_mean;     /* rolling */
-    double slide_wang, slide_iwashita_oda, slide_alonso; /* sliding */
+    double wang, bagi_kuhn, alonso_min, alonso_mean;                        /* rolling */
+    double slide_wang, slide_iwashita_oda, slide_alonso, slide_full_radius; /* sliding */
 } measured;
 
 static tr_tile test_tile; /* aligned */
@@ -43,12 +43,19 @@ static inline double sliding_by(const char *name, int i) {
 
 static inline measured read_lane(int i) {
     const tr_tile *t = &test_tile;
-    measured m = {t->nx[i], t->ny[i], t->delta[i], t->r1[i], t->r2[i], t->v_n[i], t->v_s[i], t->s1[i],
-                  t->s2[i], 0,        0,           0,        0,        0,         0,         0};
+    measured m = {.nx = t->nx[i],
+                  .ny = t->ny[i],
+                  .delta = t->delta[i],
+                  .r1 = t->r1[i],
+                  .r2 = t->r2[i],
+                  .v_n = t->v_n[i],
+                  .v_s = t->v_s[i],
+                  .s1 = t->s1[i],
+                  .s2 = t->s2[i]};
     m.wang = rolling_by("wang", i), m.bagi_kuhn = rolling_by("bagi-kuhn", i);
     m.alonso_min = rolling_by("alonso-min", i), m.alonso_mean = rolling_by("alonso-mean", i);
     m.slide_wang = sliding_by("wang", i), m.slide_iwashita_oda = sliding_by("iwashita-oda", i);
-    m.slide_alonso = sliding_by("alonso", i);
+    m.slide_alonso = sliding_by("alonso", i), m.slide_full_radius = sliding_by("full-radius", i);
     return m;
 }
 

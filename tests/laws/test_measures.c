@@ -145,6 +145,7 @@ static void test_floor(void **state) {
                 check(m, (expected){v, 0, v / 2, 0, 0}, scale);
                 m = measure_wall(R, d, nx, ny, wx, wy, wx, wy, w);
                 check(m, (expected){R * w, -R * w, -R * w / 2, 0, 0}, scale);
+                assert_close(m.slide_full_radius, m.v_s, 0, TIGHT * scale); /* a wall has no radius */
                 m = measure_wall(R, d, nx, ny, wx, wy, wx - 0.3 * nx, wy - 0.3 * ny, 0);
                 check(m, (expected){0, 0, 0, 0, 0}, scale);
                 assert_close(m.v_n, 0.3, 0, TIGHT * scale);
@@ -189,6 +190,9 @@ static void test_identities(void **state) {
         assert_close(m.wang, (R2 * m.s1 + R1 * m.s2) / (R1 + R2), 0, TIGHT * scale);
         assert_close(m.wang, m.bagi_kuhn - (R1 - R2) / (2 * L) * m.v_s, 0, TIGHT * scale);
         assert_close(m.s1 - m.s2, m.v_s * (R1 + R2) / L, 0, TIGHT * scale);
+        /* whole radii for arms: each is longer by its share of the overlap */
+        double longer = (R1 + R2 - L) * (R1 * p.w1 + R2 * p.w2) / (R1 + R2);
+        assert_close(m.slide_full_radius, m.v_s + longer, 0, TIGHT * scale);
     }
 }
 
@@ -292,7 +296,7 @@ static void test_errata_of_the_paper(void **state) {
     /* Eq. 12 has full radii: with overlap a rigid rotation slides by overlap w. */
     double delta = 0.1;
     m = measure((motion){.R1 = R1, .R2 = R2, .w1 = w, .w2 = w, .x2 = L - delta, .vy2 = w * (L - delta)});
-    assert_close(R1 * w + R2 * w - w * (L - delta), delta * w, TIGHT, 0);
+    assert_close(m.slide_full_radius, delta * w, TIGHT, 0);
     assert_close(m.v_s, 0, 0, TIGHT);
     /* Below eq. 16: a disk that slides on a floor has V_r = V_2/2 in size, not V_2. */
     m = measure_wall(R2, R2, 0, 1, 0, 0, 1, 0, 0);
