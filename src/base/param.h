@@ -40,6 +40,10 @@ static inline tr_dim tr_dim_of(tr_dim dim, tr_shape shape) {
     { 1, -1, -2, 0 }
 #define TR_DIM_FORCE                                                                                                   \
     { 1, 0, -2, 1 }
+#define TR_DIM_MOMENT                                                                                                  \
+    { 1, 1, -2, 1 }
+#define TR_DIM_POWER                                                                                                   \
+    { 1, 1, -3, 1 }
 #define TR_DIM_STRESS                                                                                                  \
     { 1, -1, -2, 1 }
 #define TR_DIM_STIFFNESS                                                                                               \
@@ -56,7 +60,8 @@ typedef enum tr_type {
     TR_SEED,   /* uint64_t */
     TR_CHOICE, /* int: index into choices */
     TR_SWITCH, /* bool: yes | no */
-    TR_PICKS,  /* tr_scene_picks: a list of contacts by name; empty where none is given */
+    TR_PICKS,  /* tr_scene_picks: a list of at most max contacts by name; empty where none is given */
+    TR_TEXT,   /* char[max]: one line of UTF-8, its NUL included */
 } tr_type;
 
 typedef struct tr_param {

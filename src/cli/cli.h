@@ -4,6 +4,7 @@
 #define TR_CLI_H
 
 #include "base/status.h"
+#include <signal.h>
 
 int tr_cli_run(int argc, char **argv);
 int tr_cli_laws(int argc, char **argv);
@@ -12,6 +13,9 @@ int tr_cli_measures(int argc, char **argv);
 
 /* Prints the message of a failure on stderr and returns its code. */
 int tr_cli_fail(const tr_status *st);
+
+/* Ctrl-C: from here on the first one asks to stop by setting the flag, a second one kills. */
+const volatile sig_atomic_t *tr_cli_stop(void);
 
 /* A progress bar on stderr, drawn at most ten times a second; silent unless stderr is a terminal. */
 typedef struct tr_progress {

@@ -6,7 +6,6 @@
 #include "laws/law.h"
 #include "study/run.h"
 #include <argp.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -78,20 +77,6 @@ static error_t parse(int key, char *value, struct argp_state *state) {
     return 0;
 }
 
-static volatile sig_atomic_t stop;
-
-static void on_signal(int number) {
-    (void)number;
-    stop = 1;
-}
-
-/* The first Ctrl-C asks to stop, a second one kills. */
-static void catch_signals(void) {
-    struct sigaction action = {.sa_handler = on_signal, .sa_flags = (int)SA_RESETHAND | SA_RESTART};
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-}
-
 /* "cases/slip-to-roll.yaml" -> "slip-to-roll" */
 static void case_name(const char *file, char *name, size_t size) {
     const char *slash = strrchr(file, '/');
@@ -121,13 +106,14 @@ static int run(const arguments *a) {
                                   .case_file = a->file,
                                   .title = name,
                                   .force = a->force,
-                                  .stop = &stop,
+                                  .stop = tr_cli_stop(),
                                   .progress = tr_progress_show,
                                   .context = &progress};
-        catch_signals();
         bool ok = tr_run(&scene, &options, &report, &st);
         tr_progress_end(&progress);
         if (ok) print_report(&report, options.dir);
+        if (ok && report.failed)
+            tr_status_fail(&st, TR_CHECK_FAILED, "error: %d of the checks of %s failed", report.failed, a->file);
     } else if (tr_run_check(&scene, &st)) {
         printf("%s: ok\n", a->file);
     }

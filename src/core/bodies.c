@@ -6,18 +6,72 @@
 #include "core/timestep.h"
 #include <math.h>
 
-static bool fill(tr_world *world, const tr_scene *scene, tr_status *st) {
-    size_t lanes = (size_t)scene->n_disks * 4;
-    bool weight = scene->gravity.x != 0 || scene->gravity.y != 0;
-    if (weight && !(world->disks.load = tr_alloc(lanes, sizeof(double), st))) return false;
+/* ---- what is prescribed over time */
+
+/* Where an orbit leads: from the start and the time, so that no error grows. */
+static void aim(tr_bodies *b, double time) {
+    const tr_disks *all = &b->world.disks;
+    for (int i = 0; i < all->n; i++) {
+        const tr_scene_disk *d = &b->scene->disks[i];
+        if (d->motion != TR_ORBIT) continue;
+        const double *pos = all->pos + 4 * (size_t)i, c = cos(d->orbit * time), s = sin(d->orbit * time);
+        double *vel = all->vel + 4 * (size_t)i, x = d->x - d->orbit_x, y = d->y - d->orbit_y;
+        vel[0] = (d->orbit_x + c * x - s * y - pos[0]) / b->world.dt;
+        vel[1] = (d->orbit_y + s * x + c * y - pos[1]) / b->world.dt;
+    }
+}
+
+/* The velocity on an orbit at the time of the position, which is what contacts see. */
+static void circle(tr_bodies *b) {
+    const tr_disks *all = &b->world.disks;
+    for (int i = 0; i < all->n; i++) {
+        const tr_scene_disk *d = &b->scene->disks[i];
+        if (d->motion != TR_ORBIT) continue;
+        const double *pos = all->pos + 4 * (size_t)i;
+        double *vel = all->vel + 4 * (size_t)i;
+        vel[0] = -d->orbit * (pos[1] - d->orbit_y), vel[1] = d->orbit * (pos[0] - d->orbit_x);
+    }
+}
+
+void tr_bodies_gravity(const tr_bodies *b, double gravity[2]) {
+    const struct tr_scene_gravity *g = &b->scene->gravity;
+    double angle = g->turn * (double)b->world.steps * b->world.dt, c = cos(angle), s = sin(angle);
+    gravity[0] = c * g->x - s * g->y, gravity[1] = s * g->x + c * g->y;
+}
+
+static void weigh(tr_bodies *b) {
+    const tr_disks *d = &b->world.disks;
+    double g[2];
+    tr_bodies_gravity(b, g);
+    for (int i = 0; d->load && i < d->n; i++)
+        d->load[4 * i] = d->mass[i] * g[0], d->load[4 * i + 1] = d->mass[i] * g[1];
+}
+
+void tr_bodies_advance(tr_bodies *b) {
+    aim(b, (double)(b->world.steps + 1) * b->world.dt);
+    tr_step_advance(&b->world);
+    circle(b);
+    if (b->scene->gravity.turn != 0) weigh(b);
+}
+
+/* ---- the start */
+
+static bool fill(tr_bodies *b, const tr_scene *scene, tr_status *st) {
+    tr_world *world = &b->world;
+    bool load = scene->gravity.x != 0 || scene->gravity.y != 0;
+    for (int i = 0; i < scene->n_disks; i++) load |= scene->disks[i].torque != 0;
+    if (load && !(world->disks.load = tr_alloc((size_t)scene->n_disks * 4, sizeof(double), st))) return false;
     for (int i = 0; i < scene->n_disks; i++) {
         const tr_scene_disk *d = &scene->disks[i];
-        tr_world_set_disk(world, i, d->x, d->y, d->angle, d->radius, d->density, d->motion == 1);
-        double *vel = world->disks.vel + 4 * (size_t)i, m = world->disks.mass[i];
+        tr_world_set_disk(world, i, d->x, d->y, d->angle, d->radius, d->density, false);
+        double *vel = world->disks.vel + 4 * (size_t)i, *inv = world->disks.inv + 4 * (size_t)i;
         vel[0] = d->vx, vel[1] = d->vy, vel[2] = d->spin;
-        if (weight)
-            world->disks.load[4 * i] = m * scene->gravity.x, world->disks.load[4 * i + 1] = m * scene->gravity.y;
+        if (d->motion != TR_FREE && d->motion != TR_DRIVEN) inv[0] = inv[1] = 0;
+        if (d->motion != TR_FREE && d->motion != TR_PINNED) inv[2] = 0;
+        if (load) world->disks.load[4 * i + 2] = d->torque;
     }
+    weigh(b);
+    circle(b);
     for (int w = 0; w < scene->n_walls; w++) {
         const tr_scene_wall *s = &scene->walls[w];
         world->wall[w] = (tr_wall){.x = s->x, .y = s->y, .nx = s->nx, .ny = s->ny, .vx = s->vx, .vy = s->vy};
@@ -40,8 +94,8 @@ static bool choose_step(tr_bodies *b, const tr_scene *scene, tr_status *st) {
 
 bool tr_bodies_init(tr_bodies *b, const tr_scene *scene, tr_status *st) {
     tr_world *world = &b->world;
-    *b = (tr_bodies){0};
-    bool ok = tr_world_init(world, scene->n_disks, scene->shape, st) && fill(world, scene, st) &&
+    *b = (tr_bodies){.scene = scene};
+    bool ok = tr_world_init(world, scene->n_disks, scene->shape, st) && fill(b, scene, st) &&
               tr_world_set_laws(world, &scene->contact, false, TR_SINK_ARCS, st) && choose_step(b, scene, st) &&
               tr_step_forces(world, st);
     if (!ok) return tr_bodies_free(b), false;

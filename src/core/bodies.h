@@ -8,17 +8,28 @@
 
 typedef struct tr_bodies {
     tr_world world;  /* do not move: see tr_world */
-    double dt_bound; /* [s]; infinite if every motion is prescribed */
+    double dt_bound; /* [s]; infinite if nothing that may touch can vibrate */
     int64_t steps;   /* to take until time_end */
+    const tr_scene *scene;
 } tr_bodies;
 
 /* Velocities of the scene are those of time 0: the half step back that leapfrog wants is taken here, so that positions
- * are of second order. Keeps the arcs da, db. A given dt above the bound is refused (TR_BAD_CASE) unless the scene
- * allows it. */
+ * are of second order; none where a motion is prescribed, for 1/m or 1/I is 0 there. Keeps the arcs da, db. A given dt
+ * above the bound is refused (TR_BAD_CASE) unless the scene allows it. The scene must outlive *b. */
 bool tr_bodies_init(tr_bodies *b, const tr_scene *scene, tr_status *st);
 void tr_bodies_free(tr_bodies *b);
 
-/* After tr_step_forces: velocity of disk i at the same time as its position, v = v^(n-1/2) + dt F/(2m): vx, vy, w. */
+/* tr_step_advance with what a scene prescribes over time: centres on orbits, gravity that turns. A centre on an orbit
+ * goes along the chord of the step to where it has to be, to rounding at any time. Then its velocity is set to that of
+ * the new instant, half a step ahead of the free disks': two orbits that turn as one body at the rate W neither slide
+ * nor approach then, where by the chords V_s = |X21| W (W dt)^2/6 and v_n = |X21| W (W dt)/2. */
+void tr_bodies_advance(tr_bodies *b);
+
+/* After tr_step_forces: gravity of that time [m/s^2]. */
+void tr_bodies_gravity(const tr_bodies *b, double gravity[2]);
+
+/* After tr_step_forces: velocity of disk i at the same time as its position, v = v^(n-1/2) + dt F/(2m): vx, vy, w. What
+ * is prescribed has it in vel already. */
 void tr_bodies_velocity(const tr_world *world, int i, double velocity[3]);
 
 #endif

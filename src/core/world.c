@@ -136,7 +136,9 @@ tr_pair_bodies tr_world_pair(const tr_world *world, const tr_group *group, int a
                             .m1 = m1,
                             .m2 = m2,
                             .I1 = group->walls ? INFINITY : of_mass * m1 * R1 * R1,
-                            .I2 = of_mass * m2 * R2 * R2};
+                            .I2 = of_mass * m2 * R2 * R2,
+                            .held1 = group->walls || d->inv[4 * (size_t)a + 2] == 0,
+                            .held2 = d->inv[4 * (size_t)b + 2] == 0};
 }
 
 tr_law_data tr_group_data(const tr_group *group, const tr_slot *slot) {

@@ -37,8 +37,8 @@ enum {
 
 typedef struct tr_disks {
     int n;
-    double *pos, *vel, *force, *inv; /* n*4 each, see above; inv is 0 for a disk whose motion is prescribed */
-    double *load;                    /* n*4: what acts on a disk besides contacts (weight); NULL: nothing does */
+    double *pos, *vel, *force, *inv; /* n*4 each, see above; inv is 0 where the motion is prescribed */
+    double *load;                    /* n*4: what acts on a disk besides contacts: weight, torque; NULL: nothing does */
     double *mass;                    /* n [kg/m] */
     int *coordination;               /* n: touching contacts of each, as of the last tr_timestep_contacts */
 } tr_disks;

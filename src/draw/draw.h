@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Pictures of a world: frames of 1280 x 720 drawn off-screen, saved as PNG or sent to a film.
  *
- * A canvas is made once and drawn over for every frame. What to draw is a tr_view; nothing is read from anywhere else,
- * and the same view gives the same pixels. In all strings `_` lowers the next character: "V_s". */
+ * A canvas is made once and drawn over for every frame. What to draw is a tr_view or a tr_show; nothing is read from
+ * anywhere else, and the same view gives the same pixels. In all strings `_` lowers the next character: "V_s". */
 #ifndef TR_DRAW_H
 #define TR_DRAW_H
 
@@ -20,21 +20,21 @@ typedef struct tr_view_line {
     const char *label, *value;
 } tr_view_line;
 
-/* What a frame shows. For a film that does not flicker keep range, f_mean and the box the same in all of its frames. */
+/* What a frame of an assembly shows. For a film that does not flicker keep range, f_mean and the box the same in all of
+ * its frames. */
 typedef struct tr_view {
     const tr_world *world;
     const tr_record *record; /* touching contacts */
     int n_records;
-    tr_color color;        /* biaxial: field that colours the contacts */
-    double range;          /* biaxial: end of the colour bar [1 or m/s]; bodies: speed of a full bar or longest
-                              arrow [m/s]. 0: chosen from this frame */
-    double f_mean;         /* biaxial: normal force drawn as a line of mean width [N/m]; 0: this frame's mean */
+    tr_color color;        /* field that colours the contacts */
+    double range;          /* end of the colour bar [1 or m/s]; 0: chosen from this frame */
+    double f_mean;         /* normal force drawn as a line of mean width [N/m]; 0: this frame's mean */
     double x0, y0, x1, y1; /* part of the plane that is shown, x0 < x1, y0 < y1 [m] */
     double time, time_end; /* [s]; the unit in print is chosen by time_end, so that it stays */
     const char *title;     /* NULL: none, the picture takes its place */
     const tr_view_line *line;
     int n_lines;
-    const tr_patch_state *inset; /* biaxial: the inside of the contact of disks inset_a and inset_b; NULL: none */
+    const tr_patch_state *inset; /* the inside of the contact of disks inset_a and inset_b; NULL: none */
     const tr_patch_pair *inset_pair;
     int inset_a, inset_b;
 } tr_view;
@@ -54,9 +54,70 @@ bool tr_canvas_png(const tr_canvas *canvas, const char *path, tr_status *st);
 /* Biaxial test: world->wall is bottom, top, left, right. A wall with mass is drawn as loaded, one without as driven. */
 void tr_draw_biaxial(tr_canvas *canvas, const tr_view *view);
 
-/* A few bodies, for teaching: rim ticks, the arcs da and db, velocities, and V_s and V_r by every definition for the
- * first four contacts. */
-void tr_draw_bodies(tr_canvas *canvas, const tr_view *view);
+/* ---- films of a few bodies ---- */
+
+/* What the class is told of a contact: values that it must have. NaN: not said. A definition of V_s (V_r) whose value is
+ * off by more than 1 % of the range of the bars is marked as wrong. */
+typedef struct tr_expect {
+    int a, b;        /* as in tr_record */
+    double v_s, v_r; /* [m/s] */
+} tr_expect;
+
+/* One number of the table of checks, as text. */
+typedef struct tr_show_check {
+    char group[48], what[48], measured[40], exact[40]; /* group: of neighbours in the table; "": none */
+    bool ok;
+} tr_show_check;
+
+/* One of the scenes that a film shows side by side; most films have one. */
+typedef struct tr_show_lane {
+    const char *label; /* NULL: none */
+    const tr_world *world;
+    const tr_record *record; /* touching contacts */
+    int n_records;
+    double tilt;  /* the picture is turned by it, counter-clockwise, so that gravity points down [rad] */
+    double slope; /* shown as the angle of the floor; NaN: there is none, or it is level [rad] */
+    double x0, y0, x1,
+        y1; /* part of the turned plane that is shown, of (x cos tilt - y sin tilt, x sin tilt + y cos tilt)
+                              [m] */
+    const double *trace; /* way of the contact points so far: x, y, in the plane that is not turned; NaN, NaN lifts
+                              the pen [m] */
+    int n_trace;         /* points */
+    const tr_expect *expect;
+    int n_expect;
+    const tr_patch_state *inset; /* the inside of the contact inset_a, inset_b (as in tr_record); NULL: none */
+    const tr_patch_pair *inset_pair;
+    int inset_a, inset_b;
+} tr_show_lane;
+
+/* Curves over time, one or two a lane: beside the bars, or in their place where there are lanes. */
+typedef struct tr_chart {
+    const char *name[2];                  /* of the curves of a lane: "V_s", "V_r", or "speed", NULL */
+    const char *unit;                     /* SI: "m/s", "1" */
+    double top, bottom;                   /* range of values over the whole film */
+    int n;                                /* points so far */
+    const double *time;                   /* [s] */
+    const double *value[TR_MAX_LANES][2]; /* n each; NULL: none */
+    double mark[TR_MAX_LANES];            /* time of the closed form, a vertical line [s]; NaN: none */
+} tr_chart;
+
+typedef struct tr_show {
+    const char *title, *equation; /* NULL: none. equation: with its Wang number, "Δa = −Δb   [Wang eq. 2]" */
+    double time, time_end;        /* [s] */
+    double slower;                /* film time / time of the motion; 1: as it is */
+    double range;                 /* speed of a full bar or longest arrow; not positive: of this frame [m/s] */
+    const tr_show_lane *lane;
+    int n_lanes;           /* 1 to TR_MAX_LANES */
+    const tr_chart *chart; /* NULL: none */
+    /* of a still: */
+    const char *caption; /* one sentence below the picture; NULL: a frame of the film */
+    const tr_show_check *check;
+    int n_checks;
+} tr_show;
+
+/* A few bodies, for teaching: rim ticks, the arcs da and db, velocities, contact points' traces, V_s and V_r by every
+ * definition, curves. */
+void tr_draw_show(tr_canvas *canvas, const tr_show *show);
 
 /* One instant of the inside of a line contact. For a film that does not flicker give it the ranges. */
 typedef struct tr_patch_view {
@@ -95,5 +156,10 @@ bool tr_video_frame(tr_video *video, const tr_canvas *canvas, tr_status *st);
 /* Ends the film and frees it. With all frames taken renames path.part to path; otherwise, or with keep = false, removes
  * it. False and TR_FILE when ffmpeg failed or no frame was sent. NULL is allowed and true. */
 bool tr_video_close(tr_video *video, bool keep, tr_status *st);
+
+enum { TR_GIF_RATE = 12 }; /* at most so many frames a second */
+
+/* Writes the film as a GIF: 640 pixels wide, endless, every k-th frame. On failure TR_FILE and no file. */
+bool tr_video_gif(const char *film, const char *path, int frames_per_second, tr_status *st);
 
 #endif

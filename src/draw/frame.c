@@ -76,19 +76,19 @@ void tr_frame_number(char *text, size_t size, double value, const tr_unit *unit,
     snprintf(text, size, "%s%s", zero ? "" : value < 0 ? "−" : sign ? "+" : "", digits);
 }
 
-static void draw_scale_bar(cairo_t *cr, const tr_map *map) {
-    double length = tr_frame_round_down(0.22 * map->width / map->scale);
+double tr_frame_scale_bar(cairo_t *cr, double scale, double base) {
+    double length = tr_frame_round_down(0.22 * TR_PICTURE_W / scale);
     tr_unit unit = tr_frame_unit(length, "m");
     unit.decimals = 0;
     char number[32], label[48];
     tr_frame_number(number, sizeof number, length, &unit, false);
     snprintf(label, sizeof label, "%s %s", number, unit.name);
-    double x = TR_EDGE, y = TR_FRAME_HEIGHT - 32, w = length * map->scale;
+    double x = TR_EDGE, y = base - 8, w = length * scale;
     tr_pen_hue(cr, TR_INK);
     tr_pen_line(cr, (tr_point){x, y}, (tr_point){x + w, y}, 5);
     tr_pen_line(cr, (tr_point){x + 1, y - 9}, (tr_point){x + 1, y + 9}, 2);
     tr_pen_line(cr, (tr_point){x + w - 1, y - 9}, (tr_point){x + w - 1, y + 9}, 2);
-    tr_pen_text(cr, (tr_text){.x = x + w + 14, .y = y + 8, .size = 24}, label);
+    return x + w + 14 + tr_pen_text(cr, (tr_text){.x = x + w + 14, .y = base, .size = 24}, label);
 }
 
 double tr_frame_head(cairo_t *cr, const tr_head *head) {
@@ -137,24 +137,39 @@ void tr_frame_color_bar(cairo_t *cr, const char *name, double range, const tr_un
     }
 }
 
-tr_map tr_frame_start(cairo_t *cr, const tr_view *view, double *panel_y) {
-    tr_unit unit = tr_frame_unit(view->time_end, "s");
-    char number[32], time[64];
+void tr_frame_time(char *text, size_t size, double time, double time_end) {
+    tr_unit unit = tr_frame_unit(time_end, "s");
+    char number[32];
     unit.decimals++;
-    tr_frame_number(number, sizeof number, view->time, &unit, false);
-    snprintf(time, sizeof time, "%s %s", number, unit.name);
-    *panel_y = tr_frame_head(cr, &(tr_head){view->title, "time", time, view->line, view->n_lines});
-    double top = view->title ? TR_EDGE + 52 : TR_EDGE, width = TR_PICTURE_W;
-    double height = TR_FRAME_HEIGHT - 64 - top, box_w = view->x1 - view->x0, box_h = view->y1 - view->y0;
-    double scale = fmin(width / box_w, height / box_h);
-    if (!(box_w > 0 && box_h > 0) || !isfinite(scale) || !(scale > 0)) return (tr_map){0};
-    tr_map map = {.scale = scale, .width = box_w * scale, .height = box_h * scale};
-    map.left = TR_EDGE + (width - map.width) / 2;
-    map.top = top + (height - map.height) / 2;
-    map.x = map.left - scale * view->x0;
-    map.y = map.top + scale * view->y1;
-    draw_scale_bar(cr, &map);
+    tr_frame_number(number, sizeof number, time, &unit, false);
+    snprintf(text, size, "%s %s", number, unit.name);
+}
+
+double tr_frame_scale(tr_box box, double x0, double y0, double x1, double y1) {
+    double scale = fmin(box.w / (x1 - x0), box.h / (y1 - y0));
+    bool sound = x1 > x0 && y1 > y0 && box.w > 0 && box.h > 0 && isfinite(x1 - x0) && isfinite(y1 - y0);
+    return sound && isfinite(scale) ? scale : 0;
+}
+
+tr_map tr_frame_map(tr_box box, double scale, double x0, double y0, double x1, double y1) {
+    tr_map map = {.scale = scale, .width = (x1 - x0) * scale, .height = (y1 - y0) * scale};
+    map.left = box.x + (box.w - map.width) / 2;
+    map.top = box.y + (box.h - map.height) / 2;
+    map.x = map.left - scale * x0;
+    map.y = map.top + scale * y1;
     return map;
+}
+
+tr_map tr_frame_start(cairo_t *cr, const tr_view *view, double *panel_y) {
+    char time[64];
+    tr_frame_time(time, sizeof time, view->time, view->time_end);
+    *panel_y = tr_frame_head(cr, &(tr_head){view->title, "time", time, view->line, view->n_lines});
+    double top = view->title ? TR_EDGE + 52 : TR_EDGE;
+    tr_box box = {TR_EDGE, top, TR_PICTURE_W, TR_FRAME_HEIGHT - 64 - top};
+    double scale = tr_frame_scale(box, view->x0, view->y0, view->x1, view->y1);
+    if (scale == 0) return (tr_map){0};
+    tr_frame_scale_bar(cr, scale, TR_FRAME_HEIGHT - 24);
+    return tr_frame_map(box, scale, view->x0, view->y0, view->x1, view->y1);
 }
 
 tr_point tr_frame_point(const tr_map *map, double x, double y) {

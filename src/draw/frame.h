@@ -20,6 +20,11 @@ typedef struct tr_map {
     double left, top, width, height;
 } tr_map;
 
+/* A rectangle of the picture, from its upper left corner [px]. */
+typedef struct tr_box {
+    double x, y, w, h;
+} tr_box;
+
 /* An SI prefix for a kind of values: print value/size with that many decimals. */
 typedef struct tr_unit {
     double size;
@@ -48,6 +53,18 @@ double tr_frame_head(cairo_t *cr, const tr_head *head);
 
 /* The sequential palette from 0 to range, in the panel; y: base line of its label [px]. */
 void tr_frame_color_bar(cairo_t *cr, const char *name, double range, const tr_unit *unit, double y);
+
+/* The time, with one digit more than its end needs. */
+void tr_frame_time(char *text, size_t size, double time, double time_end);
+
+/* The largest scale at which a part of the plane fits into the rectangle [px/m]; 0: it is empty or not finite. */
+double tr_frame_scale(tr_box box, double x0, double y0, double x1, double y1);
+
+/* That part in the middle of the rectangle, at a scale > 0. */
+tr_map tr_frame_map(tr_box box, double scale, double x0, double y0, double x1, double y1);
+
+/* A round length, at the left; y: base line of its label. Returns where the label ends [px]. */
+double tr_frame_scale_bar(cairo_t *cr, double scale, double y);
 
 /* Starts a frame of a world: the above with its time, scale bar, view box as large as fits.
  * *panel_y: first free line of the panel [px]. scale 0: the box is empty or not finite, there is nothing to draw. */

@@ -42,8 +42,10 @@ static size_t character_bytes(const char *s) {
     return n;
 }
 
+typedef enum tr_ink { INK_NONE, INK_RIM, INK_FULL } tr_ink;
+
 /* Walks the runs of plain and lowered text; draws them when asked. Returns the width. */
-static double set_text(cairo_t *cr, double x, double y, double size, const char *text, bool draw) {
+static double set_text(cairo_t *cr, double x, double y, double size, const char *text, tr_ink ink) {
     const double start = x;
     while (*text) {
         bool low = *text == '_' && text[1];
@@ -58,9 +60,14 @@ static double set_text(cairo_t *cr, double x, double y, double size, const char 
         run[n] = 0;
         text += n;
         cairo_set_font_size(cr, low ? 0.72 * size : size);
-        if (draw) {
-            cairo_move_to(cr, x, low ? y + 0.18 * size : y);
-            cairo_show_text(cr, run);
+        cairo_move_to(cr, x, low ? y + 0.18 * size : y);
+        if (ink == INK_FULL) cairo_show_text(cr, run);
+        if (ink == INK_RIM) {
+            cairo_text_path(cr, run);
+            cairo_set_line_width(cr, 0.24 * size);
+            cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
+            cairo_stroke(cr);
+            cairo_set_line_join(cr, CAIRO_LINE_JOIN_MITER);
         }
         cairo_text_extents_t e;
         cairo_text_extents(cr, run, &e);
@@ -69,21 +76,86 @@ static double set_text(cairo_t *cr, double x, double y, double size, const char 
     return x - start;
 }
 
+static void choose_face(cairo_t *cr, bool bold) {
+    cairo_select_font_face(cr, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
+                           bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+}
+
+double tr_pen_width(cairo_t *cr, tr_text at, const char *given) {
+    char text[512];
+    snprintf(text, sizeof text, "%s", given);
+    make_utf8(text);
+    choose_face(cr, at.bold);
+    double width = set_text(cr, 0, 0, at.size, text, INK_NONE);
+    cairo_new_path(cr);
+    return width;
+}
+
 double tr_pen_text(cairo_t *cr, tr_text at, const char *given) {
     char text[512];
     snprintf(text, sizeof text, "%s", given);
     make_utf8(text);
-    cairo_select_font_face(cr, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
-                           at.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-    tr_pen_hue(cr, at.hue ? at.hue : TR_INK);
-    double width = set_text(cr, 0, 0, at.size, text, false);
+    double width = tr_pen_width(cr, at, text);
     if (at.room > 0 && width > at.room) {
         at.size *= at.room / width;
         width = at.room;
     }
-    set_text(cr, at.x - width * at.align / 2, at.y, at.size, text, true);
+    at.x -= width * at.align / 2;
+    if (at.halo) {
+        tr_pen_hue(cr, TR_WHITE);
+        set_text(cr, at.x, at.y, at.size, text, INK_RIM);
+    }
+    tr_pen_hue(cr, at.hue ? at.hue : TR_INK);
+    set_text(cr, at.x, at.y, at.size, text, INK_FULL);
     cairo_new_path(cr); /* show_text leaves a point behind */
     return width;
+}
+
+/* Bytes of text that go into one line; at least a word. */
+static size_t line_bytes(cairo_t *cr, tr_text at, const char *text) {
+    char line[512];
+    size_t taken = 0;
+    for (size_t n = strcspn(text, " ");; n += 1 + strcspn(text + n + 1, " ")) {
+        if (n >= sizeof line) return taken ? taken : strlen(text);
+        snprintf(line, sizeof line, "%.*s", (int)n, text);
+        if (taken && tr_pen_width(cr, at, line) > at.room) return taken;
+        taken = n;
+        if (!text[n]) return taken;
+    }
+}
+
+double tr_pen_paragraph(cairo_t *cr, tr_text at, int n_lines, const char *text, bool draw) {
+    enum { MOST = 4 };
+    size_t start[MOST] = {0}, bytes[MOST] = {0};
+    int n = 0;
+    for (; at.size > 8; at.size -= 1) {
+        size_t done = 0;
+        for (n = 0; n < n_lines && n < MOST && text[done]; n++) {
+            start[n] = done, bytes[n] = line_bytes(cr, at, text + done);
+            done += bytes[n];
+            done += strspn(text + done, " ");
+        }
+        if (!text[done]) break;
+    }
+    for (int i = 0; i < n && draw; i++) {
+        char line[512];
+        snprintf(line, sizeof line, "%.*s", (int)bytes[i], text + start[i]);
+        tr_pen_text(cr, at, line);
+        at.y += 1.25 * at.size;
+    }
+    return 1.25 * at.size * n;
+}
+
+void tr_pen_verdict(cairo_t *cr, tr_point at, double size, bool right) {
+    static const double cross[][2] = {{-0.33, -0.05}, {0.33, -0.71}, {-0.33, -0.71}, {0.33, -0.05}},
+                        tick[][2] = {{-0.36, -0.35}, {-0.1, -0.06}, {-0.1, -0.06}, {0.36, -0.74}};
+    const double(*p)[2] = right ? tick : cross;
+    tr_pen_hue(cr, right ? TR_GREEN : TR_VERMILLION);
+    cairo_set_line_cap(cr, CAIRO_LINE_CAP_ROUND);
+    for (int i = 0; i < 4; i += 2)
+        tr_pen_line(cr, (tr_point){at.x + size * p[i][0], at.y + size * p[i][1]},
+                    (tr_point){at.x + size * p[i + 1][0], at.y + size * p[i + 1][1]}, 0.2 * size);
+    cairo_set_line_cap(cr, CAIRO_LINE_CAP_BUTT);
 }
 
 void tr_pen_line(cairo_t *cr, tr_point from, tr_point to, double width) {

@@ -20,6 +20,7 @@ typedef struct tr_text {
     double room; /* longest allowed width, longer text is set smaller [px]; 0: any */
     tr_align align;
     bool bold;
+    bool halo;    /* a white rim, to be read over whatever lies below */
     unsigned hue; /* 0 (black) means TR_INK */
 } tr_text;
 
@@ -32,6 +33,16 @@ void tr_pen_rgb(cairo_t *cr, tr_rgb color);
 
 /* Text in DejaVu Sans, UTF-8; `_` lowers the next character. Returns its width [px]. */
 double tr_pen_text(cairo_t *cr, tr_text at, const char *given);
+
+/* The width alone; room is not looked at. */
+double tr_pen_width(cairo_t *cr, tr_text at, const char *given);
+
+/* Words of a text in at most n_lines lines, of at.room or narrower; at.size is the largest that is tried. Returns the
+ * height [px], and draws when asked. */
+double tr_pen_paragraph(cairo_t *cr, tr_text at, int n_lines, const char *text, bool draw);
+
+/* A tick in green or a cross in vermillion; size: of the letters beside it, at: on their base line. */
+void tr_pen_verdict(cairo_t *cr, tr_point at, double size, bool right);
 
 void tr_pen_line(cairo_t *cr, tr_point from, tr_point to, double width);
 void tr_pen_dot(cairo_t *cr, tr_point at, double radius);

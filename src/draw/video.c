@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Films: raw frames through a socket to ffmpeg.
+/* Films: raw frames through a socket to ffmpeg; GIFs: ffmpeg again, from the finished film.
  *
  * A socket rather than a pipe, because send() can be told not to raise SIGPIPE when ffmpeg dies. ffmpeg gets a process
  * group of its own, so that Ctrl-C reaches only us and the film so far is still ended properly. Its messages go to
@@ -33,32 +33,41 @@ bool tr_video_available(void) {
     return tr_program_available("ffmpeg");
 }
 
+/* "file:" and the path: a URL of its own protocol, so that a colon or a dash in the path means nothing. NULL: no memory. */
+static char *url_of(const char *path, tr_status *st) {
+    char *url = tr_alloc(strlen(path) + sizeof "file:", 1, st);
+    return url ? strcat(strcpy(url, "file:"), path) : NULL;
+}
+
+/* input: -1 for none */
+static bool spawn(pid_t *pid, const char *const args[], int input, int log, tr_status *st) {
+    posix_spawn_file_actions_t files;
+    posix_spawnattr_t attr;
+    posix_spawn_file_actions_init(&files);
+    posix_spawnattr_init(&attr);
+    if (input >= 0) posix_spawn_file_actions_adddup2(&files, input, 0);
+    posix_spawn_file_actions_adddup2(&files, log, 1);
+    posix_spawn_file_actions_adddup2(&files, log, 2);
+    posix_spawnattr_setflags(&attr, POSIX_SPAWN_SETPGROUP);
+    int error = posix_spawnp(pid, "ffmpeg", &files, &attr, (char *const *)args, environ);
+    posix_spawn_file_actions_destroy(&files);
+    posix_spawnattr_destroy(&attr);
+    return error == 0 || tr_status_fail(st, TR_FILE, "error: cannot start ffmpeg: %s", strerror(error));
+}
+
 static bool start(tr_video *v, int input, int frames_per_second, tr_status *st) {
     char size[32], rate[32];
     snprintf(size, sizeof size, "%dx%d", TR_FRAME_WIDTH, TR_FRAME_HEIGHT);
     snprintf(rate, sizeof rate, "%d", frames_per_second);
-    /* a URL of its own protocol, so that a colon or a dash in the path means nothing */
-    char *url = tr_alloc(strlen(v->part) + sizeof "file:", 1, st);
-    if (!url) return false;
-    strcat(strcpy(url, "file:"), v->part);
+    char *url = url_of(v->part, st);
     const char *args[] = {"ffmpeg",  "-nostdin", "-loglevel", "error",    "-f",        "rawvideo",  "-pix_fmt",
                           "bgr0",    "-s",       size,        "-r",       rate,        "-i",        "pipe:0",
                           "-c:v",    "libx264",  "-preset",   "veryfast", "-threads",  "2",         "-pix_fmt",
                           "yuv420p", "-flags:v", "+bitexact", "-fflags",  "+bitexact", "-movflags", "+faststart",
                           "-f",      "mp4",      "-y",        url,        NULL};
-    posix_spawn_file_actions_t files;
-    posix_spawnattr_t attr;
-    posix_spawn_file_actions_init(&files);
-    posix_spawnattr_init(&attr);
-    posix_spawn_file_actions_adddup2(&files, input, 0);
-    posix_spawn_file_actions_adddup2(&files, v->log, 1);
-    posix_spawn_file_actions_adddup2(&files, v->log, 2);
-    posix_spawnattr_setflags(&attr, POSIX_SPAWN_SETPGROUP);
-    int error = posix_spawnp(&v->pid, "ffmpeg", &files, &attr, (char *const *)args, environ);
-    posix_spawn_file_actions_destroy(&files);
-    posix_spawnattr_destroy(&attr);
+    bool ok = url && spawn(&v->pid, args, input, v->log, st);
     free(url);
-    return error == 0 || tr_status_fail(st, TR_FILE, "error: cannot start ffmpeg: %s", strerror(error));
+    return ok;
 }
 
 static void release(tr_video *v) {
@@ -90,8 +99,8 @@ tr_video *tr_video_open(const char *path, int frames_per_second, tr_status *st) 
 }
 
 /* ffmpeg's complaints, without the line break at the end; "" if it had none. */
-static void read_log(const tr_video *v, char *text, size_t size) {
-    ssize_t n = pread(v->log, text, size - 1, 0);
+static void read_log(int log, char *text, size_t size) {
+    ssize_t n = pread(log, text, size - 1, 0);
     while (n > 0 && text[n - 1] == '\n') n--;
     text[n > 0 ? n : 0] = 0;
 }
@@ -106,7 +115,7 @@ bool tr_video_frame(tr_video *v, const tr_canvas *canvas, tr_status *st) {
             int error = errno;
             char said[512];
             v->broken = true;
-            read_log(v, said, sizeof said);
+            read_log(v->log, said, sizeof said);
             return tr_status_fail(st, TR_FILE, "error: cannot write %s: ffmpeg stopped: %s", v->path,
                                   *said ? said : strerror(error));
         }
@@ -115,17 +124,22 @@ bool tr_video_frame(tr_video *v, const tr_canvas *canvas, tr_status *st) {
     return true;
 }
 
+/* Waits for ffmpeg and reads what it says. On a full disk it ends with code 0 and a film that does not play; only its words
+ * tell. */
+static bool succeeds(pid_t pid, int log, char *said, size_t size) {
+    int exit_status = -1;
+    while (waitpid(pid, &exit_status, 0) < 0 && errno == EINTR) {
+    }
+    read_log(log, said, size);
+    return WIFEXITED(exit_status) && WEXITSTATUS(exit_status) == 0 && !*said;
+}
+
 bool tr_video_close(tr_video *v, bool keep, tr_status *st) {
     if (!v) return true;
     close(v->input);
     v->input = -1;
-    int exit_status = -1;
-    while (waitpid(v->pid, &exit_status, 0) < 0 && errno == EINTR) {
-    }
     char said[512];
-    read_log(v, said, sizeof said);
-    /* On a full disk ffmpeg ends with code 0 and a film that does not play; only its words tell. */
-    bool ended = WIFEXITED(exit_status) && WEXITSTATUS(exit_status) == 0 && !*said && !v->broken && v->frames > 0;
+    bool ended = succeeds(v->pid, v->log, said, sizeof said) && !v->broken && v->frames > 0;
     bool ok = true;
     if (ended && keep) {
         ok = tr_part_keep(v->part, v->path, st);
@@ -137,5 +151,41 @@ bool tr_video_close(tr_video *v, bool keep, tr_status *st) {
         }
     }
     release(v);
+    return ok;
+}
+
+/* Every k-th frame of the film, so that motion stays even. The film is read twice, once for the palette of all its frames:
+ * ffmpeg would otherwise hold them in memory. No dithering: the pictures are flat colours. */
+static bool run_gif(const char *film, const char *part, int log, int frames_per_second, char *said, size_t size,
+                    tr_status *st) {
+    char filter[200];
+    int k = (frames_per_second + TR_GIF_RATE - 1) / TR_GIF_RATE;
+    snprintf(filter, sizeof filter,
+             "[0]framestep=%d,scale=640:-1[b];[1]framestep=%d,scale=640:-1,palettegen[p];[b][p]paletteuse=dither=none",
+             k, k);
+    char *from = url_of(film, st), *to = url_of(part, st);
+    const char *args[] = {"ffmpeg",  "-nostdin",        "-loglevel", "error", "-i", from,       "-i",
+                          from,      "-filter_complex", filter,      "-loop", "0",  "-flags:v", "+bitexact",
+                          "-fflags", "+bitexact",       "-f",        "gif",   "-y", to,         NULL};
+    pid_t pid;
+    bool ok = from && to && spawn(&pid, args, -1, log, st) && succeeds(pid, log, said, size);
+    free(from);
+    free(to);
+    return ok;
+}
+
+bool tr_video_gif(const char *film, const char *path, int frames_per_second, tr_status *st) {
+    char said[512] = "";
+    char *part = tr_part_name(path, st);
+    int log = memfd_create("ffmpeg", MFD_CLOEXEC);
+    bool ok = part && log >= 0 && run_gif(film, part, log, frames_per_second, said, sizeof said, st);
+    if (ok) {
+        ok = tr_part_keep(part, path, st);
+    } else {
+        if (part) remove(part);
+        tr_status_fail(st, TR_FILE, "error: cannot write %s: %s", path, *said ? said : "ffmpeg failed");
+    }
+    if (log >= 0) close(log);
+    free(part);
     return ok;
 }

@@ -13,9 +13,9 @@
  * choice. The limiter's "angular momentum" is read as a moment, "the lesser of the two rotations" as the lesser of I
  * |w|. With the limiter the law is neither rate-independent nor objective, and a disk beside one at rest feels nothing.
  *
- * History: M1 [N] only so that a look with dt = 0 finds the moments of the step. The inertia is the mass's, also for a
- * disk whose motion is prescribed. w_rel -> 0: a stop without chatter. Wall: I1 infinite, R_eq = 2 R2 or R2. No energy
- * is stored.
+ * History: M1 [N] only so that a look with dt = 0 finds the moments of the step. w_rel -> 0: a stop without chatter.
+ * Wall: I1 infinite, R_eq = 2 R2 or R2. A spin that is prescribed: I infinite, skipped by the limiter. No energy is
+ * stored.
  */
 #include "base/vector.h"
 #include "laws/law.h"
@@ -39,13 +39,14 @@ static const tr_param params[] = {
      "share of the moment that stops the lesser rotation in one step"},
 };
 
-/* 1/I of both [1/(kg m)]; 0 at a wall. Held bodies are not stopped by anything: as if they were endlessly heavy, and what
- * friction does to their spins (share 0) is nothing. */
+/* 1/I of both [1/(kg m)]; 0 at a wall and of a held body. Two held bodies are not stopped by anything: as if they were
+ * endlessly heavy, and what friction does to their spins (share 0) is nothing. */
 static void pair(const void *par_, const tr_pair_bodies *bodies, double *constants) {
     (void)par_;
-    constants[0] = bodies->held ? 1e-200 : bodies->R1 > 0 ? 1 / bodies->I1 : 0;
-    constants[1] = bodies->held ? 1e-200 : 1 / bodies->I2;
-    constants[2] = bodies->held ? 0 : 1;
+    bool both = bodies->held1 && bodies->held2;
+    constants[0] = both ? 1e-200 : bodies->held1 || bodies->R1 == 0 ? 0 : 1 / bodies->I1;
+    constants[1] = both ? 1e-200 : bodies->held2 ? 0 : 1 / bodies->I2;
+    constants[2] = both ? 0 : 1;
 }
 
 TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict data) {
@@ -60,8 +61,8 @@ TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict d
     for (int i = 0; i < tile->n; i++) {
         double w1 = tile->w1[i], w2 = tile->w2[i], cap = strength * tile->f_n[i] * (g1[i] * R2[i]);
         double turn = w1 - w2 - share[i] * dt * (tile->r1[i] * J1[i] - tile->r2[i] * J2[i]) * tile->f_t[i];
-        double L1 = J1[i] > 0 ? fabs(w1) / J1[i] : huge, L2 = fabs(w2) / J2[i], lesser = L1 < L2 ? L1 : L2;
-        double limit = limited * lesser + unlimited, trial = keep * M[i] - per_dt * turn / (J1[i] + J2[i]);
+        double L1 = J1[i] > 0 ? fabs(w1) / J1[i] : huge, L2 = J2[i] > 0 ? fabs(w2) / J2[i] : huge;
+        double limit = limited * (L1 < L2 ? L1 : L2) + unlimited, trial = keep * M[i] - per_dt * turn / (J1[i] + J2[i]);
         cap = cap < limit ? cap : limit;
         trial = trial > cap ? cap : trial;
         trial = trial < -cap ? -cap : trial;

@@ -14,7 +14,8 @@
  * differs: eq. 3275 is printed without the minus.
  *
  * History: M1, M2 [N] only so that a look with dt = 0 finds the moments of the step. The inertia is the mass's, also
- * for a disk whose motion is prescribed. w -> 0: a stop without chatter. Wall: no arm, no moment. No energy is stored.
+ * for a disk whose spin is prescribed beside one that turns. w -> 0: a stop without chatter. Wall: no arm, no moment.
+ * No energy is stored.
  */
 #include "base/vector.h"
 #include "laws/law.h"
@@ -30,13 +31,14 @@ static const tr_param params[] = {
      "coefficient of rolling resistance"},
 };
 
-/* Inertias [kg m]; the wall's is not used. Held bodies are not stopped by anything: as if they were endlessly heavy, and
- * what friction does to their spins (share 0) is nothing. */
+/* Inertias [kg m]; the wall's is not used. Two held bodies are not stopped by anything: as if they were
+ * endlessly heavy, and what friction does to their spins (share 0) is nothing. */
 static void pair(const void *par_, const tr_pair_bodies *bodies, double *constants) {
     (void)par_;
-    constants[0] = bodies->held ? 1e200 : bodies->R1 > 0 ? bodies->I1 : 0;
-    constants[1] = bodies->held ? 1e200 : bodies->I2;
-    constants[2] = bodies->held ? 0 : 1;
+    bool both = bodies->held1 && bodies->held2;
+    constants[0] = both ? 1e200 : bodies->R1 > 0 ? bodies->I1 : 0;
+    constants[1] = both ? 1e200 : bodies->I2;
+    constants[2] = both ? 0 : 1;
 }
 
 TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict data) {

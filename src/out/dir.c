@@ -10,9 +10,10 @@
 #include <unistd.h>
 
 /* All that a run writes, the mark of a finished run first: an interrupted removal leaves an unfinished run. */
-static const char *const results[] = {"summary.json", "history.csv", "contacts.csv", "case.yaml",
-                                      "plot.gp",      "biaxial.svg", "biaxial.png",  "biaxial.mp4",
-                                      "bodies.mp4",   "contact.csv", "contact.svg",  "contact.png"};
+static const char *const results[] = {"summary.json", "history.csv", "contacts.csv", "case.yaml",   "plot.gp",
+                                      "biaxial.svg",  "biaxial.png", "biaxial.mp4",  "biaxial.gif", "bodies.mp4",
+                                      "bodies.gif",   "contact.csv", "contact.svg",  "contact.png", "patch.csv",
+                                      "patch.mp4",    "patch.gif",   "still.png"};
 
 bool tr_dir_path(char path[TR_PATH], const char *dir, const char *name, tr_status *st) {
     if (snprintf(path, TR_PATH, "%s/%s", dir, name) < TR_PATH) return true;

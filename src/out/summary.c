@@ -35,6 +35,17 @@ static json_t *begin(const tr_scene *scene, const char *kind) {
     json_t *o = json_object();
     json_object_set_new(o, "version", json_string(TR_VERSION));
     json_object_set_new(o, "kind", json_string(kind));
+    const tr_scene_lesson *l = &scene->lesson;
+    const char *const text[][2] = {{"title", l->title},
+                                   {"equation", l->equation},
+                                   {"sentence", l->sentence},
+                                   {"question", l->question},
+                                   {"answer", l->answer}};
+    json_t *lesson = json_object();
+    for (size_t i = 0; i < sizeof text / sizeof *text; i++)
+        if (*text[i][1]) json_object_set_new(lesson, text[i][0], json_string(text[i][1]));
+    if (json_object_size(lesson)) json_object_set(o, "lesson", lesson);
+    json_decref(lesson);
     if (scene->kind != TR_KIND_BIAXIAL) return o; /* nothing random */
     char seed[24]; /* JSON text has no limit, but jansson's integers are signed: the upper half as a string */
     snprintf(seed, sizeof seed, "%llu", (unsigned long long)scene->seed);
@@ -124,15 +135,50 @@ char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, 
     return finish(o, timing, st);
 }
 
-char *tr_summary_bodies(const tr_scene *scene, const tr_bodies *b, const tr_timing *timing, tr_status *st) {
-    json_t *o = begin(scene, "bodies");
+static void add_lane(json_t *o, const tr_scene *scene, const tr_bodies *b) {
     json_object_set_new(o, "n_disks", json_integer(scene->n_disks));
-    add(o, "time_end_s", scene->time_end);
     add(o, "dt_s", b->world.dt);
     add(o, "dt_bound_s", b->dt_bound); /* null: nothing that touches can vibrate */
     json_object_set_new(o, "steps", json_integer(b->steps));
     json_object_set_new(o, "contact_updates", json_integer(b->world.contact_updates));
     add_pipeline(o, &b->world);
+}
+
+static json_t *check_of(const tr_check_result *r) {
+    json_t *o = json_object();
+    tr_scene_quantity q = tr_scene_what(r->check->what, r->shape);
+    if (*r->lane) json_object_set_new(o, "lane", json_string(r->lane));
+    json_object_set_new(o, "what", json_string(q.name));
+    json_object_set_new(o, "of", json_string(r->of));
+    add(o, "measured", r->measured); /* null: it did not happen */
+    add(o, "exact", r->check->exact);
+    add(o, "error", r->measured - r->check->exact);
+    add(o, "tolerance", r->check->tolerance);
+    json_object_set_new(o, "unit", json_string(q.unit));
+    json_object_set_new(o, "ok", json_boolean(r->ok));
+    return o;
+}
+
+char *tr_summary_bodies(const tr_scene *scene, const tr_bodies *const *b, const tr_check_result *result, int n,
+                        const tr_timing *timing, tr_status *st) {
+    json_t *o = begin(scene, "bodies"), *checks = json_array();
+    add(o, "time_end_s", scene->time_end);
+    if (scene->n_more == 0) {
+        add_lane(o, scene, b[0]);
+    } else {
+        json_t *lanes = json_array();
+        for (int i = 0; i <= scene->n_more; i++) {
+            const tr_scene *of = i ? &scene->more[i - 1] : scene;
+            json_t *lane = json_object();
+            json_object_set_new(lane, "label", json_string(of->label));
+            add_lane(lane, of, b[i]);
+            json_array_append_new(lanes, lane);
+        }
+        json_object_set_new(o, "lanes", lanes);
+    }
+    for (int i = 0; i < n; i++) json_array_append_new(checks, check_of(&result[i]));
+    if (n) json_object_set_new(o, "checks", checks);
+    if (!n) json_decref(checks);
     return finish(o, timing, st);
 }
 

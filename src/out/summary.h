@@ -35,6 +35,16 @@ typedef struct tr_path_result {
     int64_t merged; /* what did not fit into the friction law's history; see tr_law */
 } tr_path_result;
 
+/* One of the checks of a scene of bodies. */
+typedef struct tr_check_result {
+    const char *lane; /* label of its document; "" */
+    tr_shape shape;
+    const tr_scene_check *check;
+    char of[TR_PICK_NAME]; /* "wall0-3", "disk 2" */
+    double measured;       /* NaN: it did not happen */
+    bool ok;
+} tr_check_result;
+
 tr_strength tr_summary_strength(const tr_series *series);
 
 /* Text of summary.json (free()); NULL: out of memory. energy may be NULL. All but "timing" is the same
@@ -42,7 +52,9 @@ tr_strength tr_summary_strength(const tr_series *series);
 char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, double unbalanced,
                          const tr_strength *strength, double mean_stress_2, const tr_energy *energy,
                          const tr_timing *timing, tr_status *st);
-char *tr_summary_bodies(const tr_scene *scene, const tr_bodies *b, const tr_timing *timing, tr_status *st);
+/* b: of the scene, and of scene->more; result: n of them. */
+char *tr_summary_bodies(const tr_scene *scene, const tr_bodies *const *b, const tr_check_result *result, int n,
+                        const tr_timing *timing, tr_status *st);
 char *tr_summary_contact(const tr_scene *scene, int64_t steps, const tr_path_result *law, const tr_timing *timing,
                          tr_status *st);
 

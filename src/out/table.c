@@ -69,7 +69,6 @@ void tr_row_biaxial(tr_row *row, const tr_biaxial_state *s, const tr_measures *m
 }
 
 void tr_row_contact(tr_row *row, double time, double strain, const tr_record *c) {
-    row->n = 0;
     tr_row_add(row, time, "time_s");
     if (strain >= 0) tr_row_add(row, strain, "strain");
     tr_row_add(row, c->a, "a");
@@ -103,7 +102,6 @@ void tr_row_disk(tr_row *row, double time, const tr_world *world, int i) {
     const double *pos = world->disks.pos + 4 * (size_t)i;
     double velocity[3];
     tr_bodies_velocity(world, i, velocity);
-    row->n = 0;
     tr_row_add(row, time, "time_s");
     tr_row_add(row, i, "disk");
     tr_row_add(row, pos[0], "x_m");

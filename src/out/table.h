@@ -37,10 +37,10 @@ bool tr_row_write_exact(const tr_row *row, tr_file *file, tr_status *st);
 /* One row of history.csv of a biaxial test; energy may be NULL. */
 void tr_row_biaxial(tr_row *row, const tr_biaxial_state *state, const tr_measures *measures, const tr_energy *energy);
 
-/* One row of contacts.csv: every touching contact is one. strain < 0: there is none (bodies). */
+/* The cells of a row of contacts.csv: every touching contact is one. strain < 0: there is none (bodies). */
 void tr_row_contact(tr_row *row, double time, double strain, const tr_record *record);
 
-/* One row of history.csv of bodies: one disk. */
+/* The cells of a row of history.csv of bodies: one disk. */
 void tr_row_disk(tr_row *row, double time, const tr_world *world, int disk);
 
 #endif

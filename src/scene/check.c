@@ -38,11 +38,15 @@ static bool check_law(const checker *c, const tr_scope *s, const char *slot, con
     return true;
 }
 
-/* The place of a key of segment i. */
-static tr_mark mark_of(const checker *c, int i, const char *key) {
-    const tr_scope *s = tr_check_scope(c->r, "path", i);
+/* The place of a key, or where it is missed. */
+static tr_mark mark_in(const tr_scope *s, const char *key) {
     const tr_entry *e = tr_resolve_entry(s, key);
     return e && e->node ? e->node->mark : s->mark;
+}
+
+/* The same of segment i. */
+static tr_mark mark_of(const checker *c, int i, const char *key) {
+    return mark_in(tr_check_scope(c->r, "path", i), key);
 }
 
 /* The approach of a line contact counts from a depth d: no contact is as wide. At a = d the overlap is (1 + ln 4)/4 d^2/R.
@@ -152,13 +156,13 @@ static bool check_patch(const checker *c) {
     return true;
 }
 
-/* Walls and disks that output.paths names. */
-static bool check_picks(const checker *c, const tr_scope *s) {
+/* Walls and disks that a key names. */
+static bool check_picks(const checker *c, const tr_scope *s, const char *key, const tr_scene_picks *picks) {
     const tr_scene *scene = c->scene;
-    const tr_scene_picks *picks = &scene->output.paths;
     int walls = scene->kind == TR_KIND_BIAXIAL ? 4 : scene->n_walls;
     int disks = scene->kind == TR_KIND_BIAXIAL ? scene->sample.disks : scene->n_disks;
-    const tr_entry *e = tr_resolve_entry(s, "paths");
+    const tr_entry *e = tr_resolve_entry(s, key);
+    if (!e) return true; /* not for this kind of case, not with this choice */
     const tr_node *node = e->node && e->node->type == TR_NODE_LIST ? e->node->child : e->node;
     for (int i = 0; i < picks->n && node; i++, node = node->next) { /* as many nodes as picks */
         tr_scene_pick pick = picks->item[i];
@@ -169,6 +173,40 @@ static bool check_picks(const checker *c, const tr_scope *s) {
     return true;
 }
 
+static bool check_output(const checker *c, const tr_scope *s) {
+    const tr_scene *scene = c->scene;
+    if (scene->output.still > scene->time_end)
+        return tr_text_fail(c->r->st, mark_in(s, "still"), "`still` is %.9g s, after `time_end`, which is %.9g s",
+                            scene->output.still, scene->time_end);
+    return check_picks(c, s, "paths", &scene->output.paths);
+}
+
+static bool check_disk(const checker *c, const tr_scope *s) {
+    const tr_scene_disk *d = &c->scene->disks[s->item];
+    if (d->torque == 0 || d->motion == TR_FREE || d->motion == TR_PINNED) return true;
+    return tr_text_fail(c->r->st, mark_in(s, "torque"),
+                        "a torque does nothing to `disks.%d`, whose motion keeps its spin: take free or pinned",
+                        s->item);
+}
+
+static bool check_check(const checker *c, const tr_scope *s) {
+    const tr_scene *scene = c->scene;
+    const tr_scene_check *check = &scene->checks[s->item];
+    if (check->disk >= scene->n_disks)
+        return tr_text_fail(c->r->st, mark_in(s, "disk"), "there is no disk %d: disks count from 0 to %d", check->disk,
+                            scene->n_disks - 1);
+    if (check->at > scene->time_end)
+        return tr_text_fail(c->r->st, mark_in(s, "at"), "`at` is %.9g s, after `time_end`, which is %.9g s", check->at,
+                            scene->time_end);
+    if (check->over > check->at)
+        return tr_text_fail(c->r->st, mark_in(s, "over"), "`over` is %.9g s, longer than the run is by then, %.9g s",
+                            check->over, check->at);
+    if (check->contact.n && check->contact.item[0].a == check->contact.item[0].b)
+        return tr_text_fail(c->r->st, mark_in(s, "contact"),
+                            "a check is of one contact, named as 0-1 (two disks) or wall0-1 (wall 0, disk 1)");
+    return check_picks(c, s, "contact", &check->contact);
+}
+
 /* What no single row can say. */
 bool tr_check_together(const tr_resolver *r, tr_scene *scene) {
     const checker checker = {r, scene}, *c = &checker;
@@ -177,8 +215,9 @@ bool tr_check_together(const tr_resolver *r, tr_scene *scene) {
         const tr_scope *s = &c->r->scopes[i];
         const tr_scene_sample *sample = &c->scene->sample;
         if (strcmp(s->section, "contact") == 0 && !check_laws(c, s, &c->scene->contact)) return false;
-        bool moves = c->scene->kind == TR_KIND_BIAXIAL || c->scene->kind == TR_KIND_BODIES;
-        if (moves && strcmp(s->section, "output") == 0 && !check_picks(c, s)) return false;
+        if (strcmp(s->section, "output") == 0 && !check_output(c, s)) return false;
+        if (strcmp(s->section, "disks") == 0 && !check_disk(c, s)) return false;
+        if (strcmp(s->section, "checks") == 0 && !check_check(c, s)) return false;
         if (strcmp(s->section, "laws") == 0 && !check_laws(c, s, &c->scene->laws[s->item])) return false;
         if (strcmp(s->section, "sample") == 0 && sample->r_min > sample->r_max)
             return tr_text_fail(c->r->st, tr_resolve_entry(s, "r_min")->node->key_mark,

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Case text to tr_scene: text -> tree -> (--set) -> entries -> values.
+/* One document of a case to tr_scene: tree -> entries -> values.
  *
  * Which keys there are depends on `kind`, and beside laws on the laws chosen, so those are resolved first. Every key
  * of the case becomes an entry (resolve.h); then all entries are resolved, in any order. */
+#include "scene/read.h"
 #include "base/alloc.h"
 #include "scene/check.h"
 #include "scene/tables.h"
@@ -15,9 +16,8 @@
 typedef struct reader {
     tr_resolver r;
     tr_scene *scene;
-    tr_node *root;
-    const char *name;  /* of the file */
-    tr_mark end;       /* of the file: where a section is missed */
+    const tr_document *document;
+    const tr_node *root;
     tr_entry *entries; /* of all scopes, one behind the other */
     int n_entries;
     unsigned kind; /* TR_FOR_* */
@@ -31,7 +31,7 @@ static void *field(void *base, size_t offset) {
 /* Only the last scope opened can take entries. */
 static tr_scope *open_scope(reader *c, const char *section, int item, const tr_node *node) {
     tr_scope *s = &c->r.scopes[c->r.n_scopes++];
-    *s = (tr_scope){section, item, node, node ? node->mark : c->end, c->entries + c->n_entries, 0};
+    *s = (tr_scope){section, item, node, node ? node->mark : c->document->end, c->entries + c->n_entries, 0};
     return s;
 }
 
@@ -83,16 +83,16 @@ static bool is_list(const tr_section *t) {
     return t->item;
 }
 
-/* A key that is known, but for the other kind of case. */
-static bool for_other_kind(const tr_scope *s, const char *key) {
+/* Where a key is known that this scope has not: of another kind of case, or of another choice of the first key; NULL. */
+static const tr_section *elsewhere(const tr_scope *s, const char *key) {
     for (int i = 0; i < tr_n_sections; i++) {
         const tr_section *t = &tr_sections[i];
-        if (!*s->section && strcmp(t->key, key) == 0) return true;
+        if (!*s->section && strcmp(t->key, key) == 0) return t;
         for (int k = 0; k < t->n && strcmp(t->key, s->section) == 0; k++) {
-            if (strcmp(t->params[k].key, key) == 0) return true;
+            if (strcmp(t->params[k].key, key) == 0) return t;
         }
     }
-    return false;
+    return NULL;
 }
 
 static void offer(char *list, size_t size, tr_near *near, const char *wanted, const char *key) {
@@ -114,11 +114,11 @@ static bool unknown_key(reader *c, const tr_scope *s, const tr_node *child) {
         if (*t->key && tr_tables_begins(i, c->kind)) offer(list, sizeof list, &near, child->key, t->key);
     }
     tr_shown key = tr_resolve_name(s, child->key);
-    tr_shown kind = {{0}};
-    tr_tables_choice(c->r.catalog, tr_sections[0].params, (int)c->scene->kind, &kind);
-    if (for_other_kind(s, child->key))
-        return tr_text_fail(c->st, child->key_mark, "`%s` is not for `kind: %s`; allowed here: %s", key.text, kind.text,
-                            list);
+    const tr_section *other = elsewhere(s, child->key);
+    const tr_entry *first = other && other->kinds & c->kind ? s->entries : c->r.scopes->entries; /* which says that */
+    if (other)
+        return tr_text_fail(c->st, child->key_mark, "`%s` is not for `%s: %s`; allowed here: %s", key.text,
+                            first->param->key, first->node->text, list);
     return tr_text_fail(c->st, child->key_mark, "unknown key `%s`%s; allowed here: %s", key.text,
                         tr_text_hint(&near).text, list);
 }
@@ -171,7 +171,7 @@ static bool read_mapping(reader *c, const tr_section *t) {
 /* `path: FILE.csv`: the name counts from the folder of the case; as a whole one it also serves the resolved case, which
  * will stand elsewhere. */
 static bool read_file_name(reader *c, const tr_section *t, const tr_node *node) {
-    const char *name = c->name, *slash = strrchr(name, '/');
+    const char *name = c->document->name, *slash = strrchr(name, '/');
     char text[2048];
     snprintf(text, sizeof text, "%.*s%s", slash && *node->text != '/' ? (int)(slash + 1 - name) : 0, name, node->text);
     char *whole = realpath(text, NULL);
@@ -188,8 +188,8 @@ static bool read_list(reader *c, const tr_section *t) {
     if (!check_type(c, node, TR_NODE_LIST, what)) return false;
     int n = node ? tr_tree_count(node) : 0;
     if (n < t->min_items || n > t->max_items)
-        return tr_text_fail(c->st, node ? node->mark : c->end, "`%s` has %d items, allowed is %d to %d", t->key, n,
-                            t->min_items, t->max_items);
+        return tr_text_fail(c->st, node ? node->mark : c->document->end, "`%s` has %d items, allowed is %d to %d",
+                            t->key, n, t->min_items, t->max_items);
     char *items = tr_alloc((size_t)n, t->item, c->st);
     if (!items) return false;
     memcpy(field(c->scene, t->offset), &items, sizeof items); /* some struct's pointer: the type is not known here */
@@ -201,6 +201,8 @@ static bool read_list(reader *c, const tr_section *t) {
         tr_scope *s = open_scope(c, t->key, i, child);
         char *item = items + (size_t)i * t->item;
         for (const tr_section *u = t; u; u = tr_tables_next(u, c->kind)) {
+            if (u->chosen && !tr_resolve(&c->r, s->entries, NULL)) return false;
+            if (!tr_tables_chosen(u, item)) continue;
             if (u->derived)
                 add_derived(c, s, u->params, u->n, NULL);
             else
@@ -271,7 +273,7 @@ static bool resolve_all(reader *c) {
     return true;
 }
 
-static bool read_scene(reader *c) {
+static bool read_document(reader *c) {
     if (!check_type(c, c->root, TR_NODE_MAPPING, "a case")) return false;
     if (!reserve(c) || !read_root(c)) return false;
     for (int i = 0; i < tr_n_sections; i++) {
@@ -282,59 +284,14 @@ static bool read_scene(reader *c) {
     return resolve_all(c) && tr_check_together(&c->r, c->scene);
 }
 
-static bool apply_sets(reader *c, tr_source *sources, const char *const *sets, int n_sets) {
-    for (int i = 0; i < n_sets; i++) {
-        sources[i] = (tr_source){"--set", sets[i], strlen(sets[i])};
-        if (!tr_text_check(&sources[i], c->st) || !tr_tree_set(c->root, &sources[i], c->st)) return false;
-    }
-    return true;
-}
-
-bool tr_scene_read(tr_scene *scene, const char *name, const char *text, size_t size, const char *const *sets,
-                   int n_sets, const tr_param_catalog *catalog, tr_status *st) {
-    *scene = (tr_scene){0};
-    if (size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) text += 3, size -= 3; /* byte order mark */
-    const tr_source source = {name, text, size};
-    reader c = {.r = {.catalog = catalog, .st = st}, .scene = scene, .name = name, .st = st};
-    tr_source *sources = tr_alloc((size_t)n_sets, sizeof *sources, st);
-    bool ok = sources && tr_text_check(&source, st) && (c.root = tr_tree_read(&source, st)) &&
-              (c.r.expression = tr_expression_new(st));
-    if (ok) {
-        c.end = tr_text_end(&source);
-        ok = apply_sets(&c, sources, sets, n_sets) && read_scene(&c);
-    }
-    tr_expression_free(c.r.expression);
-    tr_tree_free(c.root);
+bool tr_read_document(tr_scene *scene, const tr_document *d) {
+    reader c = {.r = {.catalog = d->catalog, .expression = d->expression, .st = d->st},
+                .scene = scene,
+                .document = d,
+                .root = d->root,
+                .st = d->st};
+    bool ok = read_document(&c);
     free(c.r.scopes);
     free(c.entries);
-    free(sources);
-    if (!ok) tr_scene_free(scene);
     return ok;
-}
-
-bool tr_scene_read_file(tr_scene *scene, const char *path, const char *const *sets, int n_sets,
-                        const tr_param_catalog *catalog, tr_status *st) {
-    *scene = (tr_scene){0};
-    enum { ROOM = (1 << 20) + 8 }; /* more than may be read: too long a file shows */
-    char *text = tr_alloc(ROOM, 1, st);
-    if (!text) return false;
-    FILE *file = fopen(path, "rb");
-    size_t size = file ? fread(text, 1, ROOM, file) : 0;
-    bool ok = file && !ferror(file);
-    if (ok)
-        ok = tr_scene_read(scene, path, text, size, sets, n_sets, catalog, st);
-    else
-        tr_status_fail(st, TR_FILE, "error: cannot %s %.300s: %s", file ? "read" : "open", path, strerror(errno));
-    if (file) fclose(file);
-    free(text);
-    return ok;
-}
-
-void tr_scene_free(tr_scene *scene) {
-    free(scene->disks);
-    free(scene->walls);
-    free(scene->laws);
-    free(scene->path);
-    free(scene->path_file);
-    *scene = (tr_scene){0};
 }

@@ -188,12 +188,23 @@ static bool read_picks(tr_resolver *r, tr_entry *e) {
         for (int i = 0; i < picks->n; i++)
             if (picks->item[i].a == pick.a && picks->item[i].b == pick.b)
                 return tr_text_fail(r->st, node->mark, "`%s` is given twice", node->text);
-        if (picks->n == TR_MAX_PICKS)
-            return tr_text_fail(r->st, node->mark, "more than %d contacts in `%s`", TR_MAX_PICKS, e->param->key);
+        if (picks->n == (int)e->param->max)
+            return tr_text_fail(r->st, node->mark, "more than %d contact%s in `%s`", picks->n, picks->n > 1 ? "s" : "",
+                                e->param->key);
         picks->item[picks->n++] = pick;
     }
+    if (picks->n == 0 && !e->fallback)
+        return tr_text_fail(r->st, e->scope->mark, "`%s` is missing: %s", tr_resolve_name(e->scope, e->param->key).text,
+                            e->param->doc);
     e->state = TR_ENTRY_DONE;
     return true;
+}
+
+static bool read_text(tr_resolver *r, tr_entry *e, const char *text) {
+    size_t room = (size_t)e->param->max, n = tr_text_line(text, e->value, room);
+    if (n == 0) return fail(r, e, 0, "`%s` holds a character that is not allowed; it is a line of text", e->param->key);
+    return n <= room ||
+           fail(r, e, 0, "`%s` is %zu bytes of UTF-8 long, allowed is %zu", e->param->key, n - 1, room - 1);
 }
 
 static bool read_value(tr_resolver *r, tr_entry *e, const char *text) {
@@ -209,6 +220,8 @@ static bool read_value(tr_resolver *r, tr_entry *e, const char *text) {
         return read_choice(r, e, text);
     case TR_SWITCH:
         return read_switch(r, e, text);
+    case TR_TEXT:
+        return read_text(r, e, text);
     case TR_PICKS: /* no text: see tr_resolve */
         break;
     }
@@ -256,7 +269,7 @@ bool tr_resolve(tr_resolver *r, tr_entry *e, tr_entry *asker) {
     if (e->node && e->node->type != TR_NODE_VALUE)
         return tr_text_fail(r->st, e->node->mark, "`%s` must be a single value: %s", name.text, p->doc);
     const char *text = e->node ? e->node->text : e->fallback;
-    if (*text == '\0') return fail(r, e, 0, "`%s` has no value: %s", name.text, p->doc);
+    if (*text == '\0' && p->type != TR_TEXT) return fail(r, e, 0, "`%s` has no value: %s", name.text, p->doc);
     if (r->depth == MAX_DEPTH) return fail(r, e, 0, "names name names more than %d deep", MAX_DEPTH);
     e->state = TR_ENTRY_BUSY;
     e->asker = asker;

@@ -79,12 +79,34 @@ typedef struct tr_scene_output {
     int color;            /* tr_color: field that colours the contacts in frames */
     bool energy;          /* keep the energy ledger */
     tr_scene_picks paths; /* contacts whose path is written to paths/NAME.csv */
+    int curve;            /* bodies: tr_curve drawn beside the motion */
+    double still;         /* bodies: time of still.png [s] */
 } tr_scene_output;
+
+/* What the frames of bodies draw over time, in the order of the choices of `curve:`. */
+typedef enum tr_curve {
+    TR_CURVE_NONE,       /* bars alone */
+    TR_CURVE_SPEED,      /* of disk 0 */
+    TR_CURVE_VELOCITIES, /* V_s and V_r of the first contact */
+    TR_CURVE_CREEPAGE,   /* of the first contact */
+    TR_CURVE_SPIN        /* of the last disk */
+} tr_curve;
+
+/* Whose motion is given and whose follows from forces, in the order of the choices of `motion:`. */
+typedef enum tr_motion {
+    TR_FREE,       /* forces move it */
+    TR_PRESCRIBED, /* keeps vx, vy, spin */
+    TR_ORBIT,      /* its centre circles about (orbit_x, orbit_y) at the rate `orbit`; keeps its spin */
+    TR_PINNED,     /* its centre keeps vx, vy; moments turn it */
+    TR_DRIVEN      /* keeps its spin; forces move its centre */
+} tr_motion;
 
 typedef struct tr_scene_disk {
     double radius, density, x, y, angle; /* [m kg/m^3 m m rad] */
     double vx, vy, spin;                 /* [m/s m/s rad/s] */
-    int motion;                          /* 0 free: forces move it; 1 prescribed: keeps vx, vy, spin */
+    double torque;                       /* applied, counter-clockwise [N] */
+    int motion;                          /* tr_motion */
+    double orbit, orbit_x, orbit_y;      /* of TR_ORBIT [rad/s m m] */
 } tr_scene_disk;
 
 /* A rigid plane through (x, y); (nx, ny) points to the side where the disks are (normalised on reading). */
@@ -123,6 +145,48 @@ typedef struct tr_scene_patch {
     int snapshots, frames; /* instants of patch.csv, pictures */
 } tr_scene_patch;
 
+/* What a class is told about a case: text of one line each, empty where it is not given. */
+typedef struct tr_scene_lesson {
+    char title[64], equation[96], sentence[320], question[320], answer[640];
+} tr_scene_lesson;
+
+/* What a check measures, in the order of the choices of `what:`. Of a contact: the first five; of a disk: the others. */
+typedef enum tr_what {
+    TR_SLIDING_VELOCITY, /* V_s [m/s] */
+    TR_ROLLING_VELOCITY, /* V_r by the scene's definition [m/s] */
+    TR_CREEPAGE,         /* |V_s|/|(s1+s2)/2| [1] */
+    TR_SLIP_ENDS,        /* when V_s first vanishes [s] */
+    TR_SLIP_STARTS,      /* when friction first is mu f_n [s] */
+    TR_SPEED,            /* of the centre [m/s] */
+    TR_ACCELERATION,     /* of the centre along its way [m/s^2] */
+    TR_STOP_TIME,        /* when the centre first stands still [s] */
+    TR_STOP_DISTANCE,    /* and how far from where it started [m] */
+    TR_SPIN,             /* [rad/s] */
+    TR_TORQUE,           /* of the contacts on it, counter-clockwise [N] */
+    TR_POWER,            /* of the contacts on it [N m/s per m] */
+    TR_ENERGY_LOST,      /* share of its kinetic energy at the start [1] */
+    TR_ROLLS_FROM,       /* least slope on which it does not rest [rad] */
+    TR_SLIPS_FROM,       /* least slope on which it slips [rad] */
+    TR_N_WHATS
+} tr_what;
+
+/* Name of a choice of `what:` and the SI unit of its value. */
+typedef struct tr_scene_quantity {
+    char unit[16], name[32];
+} tr_scene_quantity;
+
+tr_scene_quantity tr_scene_what(int what, tr_shape shape);
+
+/* A number that the run measures and compares with a closed form. */
+typedef struct tr_scene_check {
+    int what;               /* tr_what */
+    int disk;               /* of a disk */
+    tr_scene_picks contact; /* one, of a contact */
+    double at, over;        /* mean over the time `over` that ends `at` [s]; over 0: the instant. Not of events */
+    double exact;           /* the closed form; dimension as `what` says */
+    double tolerance;       /* largest |measured - exact|, the same dimension */
+} tr_scene_check;
+
 typedef struct tr_scene {
     tr_kind kind;
     tr_shape shape; /* of all bodies; with spheres forces are in N, masses in kg, stresses and stiffnesses in N/m */
@@ -136,7 +200,8 @@ typedef struct tr_scene {
     tr_scene_shear shear;
     /* kind: bodies */
     struct tr_scene_gravity {
-        double x, y; /* [m/s^2] */
+        double x, y; /* at time 0 [m/s^2] */
+        double turn; /* rate at which it turns, counter-clockwise [rad/s] */
     } gravity;
     double time_end;      /* [s] */
     tr_scene_disk *disks; /* owned by the scene */
@@ -149,7 +214,17 @@ typedef struct tr_scene {
     char *path_file; /* owned by the scene: a CSV file that holds the path, and path is empty; NULL: path is here */
     int n_laws, n_segments;
     tr_scene_patch patch; /* kind: patch, which has pair and path too */
+    /* for the class */
+    tr_scene_lesson lesson;
+    char label[48];         /* kind: bodies: what tells this document of the file from the others */
+    tr_scene_check *checks; /* kind: bodies; owned by the scene */
+    int n_checks;
+    struct tr_scene *more; /* kind: bodies: further documents of the file, shown side by side; owned by the scene. Of
+                              them output, lesson, time_end are those of this one; their own more is NULL */
+    int n_more;
 } tr_scene;
+
+enum { TR_MAX_LANES = 6 }; /* documents of a file */
 
 /* Reads a case. text: the bytes of the file (need not end in NUL; at most 1 MB). name: how messages call the file.
  * sets: n_sets overrides "dotted.key=value" of the command line, under the same checks as the file (list items by

@@ -4,6 +4,7 @@
 #include "scene/tables.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #define AT(field) offsetof(STRUCT, field)
@@ -26,6 +27,8 @@ static const tr_param root_biaxial[] = {
 };
 static const tr_param root_bodies[] = {
     {"time_end", TR_REAL, TR_DIM_TIME, "s", NULL, 1e-12, 1e6, NULL, AT(time_end), "time that the run covers"},
+    {"label", TR_TEXT, TR_DIM_NUMBER, "", "", 0, sizeof((tr_scene *)0)->label, NULL, AT(label),
+     "what tells this document from the others"},
 };
 static const tr_param root_pair[] = {
     {"E_star", TR_REAL, TR_DIM_MODULUS, "Pa", "bodies.E/(2*(1 - bodies.nu^2))", 1e-4, 1e18, NULL, AT(pair.E_star),
@@ -62,6 +65,18 @@ static const tr_param root_patch[] = {
 };
 static const tr_param bodies_depth[] = {DEPTH("2*sqrt(R1*R2)/exp(1)")};
 const char tr_tables_depth_from_Lambda[] = "path.0.a*exp(bodies.Lambda)/2";
+#undef STRUCT
+
+#define STRUCT tr_scene_lesson
+#define LINE(key, doc)                                                                                                 \
+    { #key, TR_TEXT, TR_DIM_NUMBER, "", "", 0, sizeof((STRUCT *)0)->key, NULL, AT(key), doc }
+static const tr_param lesson[] = {
+    LINE(title, "of the film"),
+    LINE(equation, "what is shown, with its source"),
+    LINE(sentence, "what there is to see"),
+    LINE(question, "to the class"),
+    LINE(answer, "to the question"),
+};
 #undef STRUCT
 
 #define STRUCT tr_scene_sample
@@ -115,6 +130,8 @@ static const tr_param shear[] = {
 static const tr_param gravity[] = {
     {"x", TR_REAL, TR_DIM_ACCELERATION, "m/s^2", "0", -1e9, 1e9, NULL, AT(x), "acceleration of gravity to the right"},
     {"y", TR_REAL, TR_DIM_ACCELERATION, "m/s^2", "0", -1e9, 1e9, NULL, AT(y), "acceleration of gravity upward"},
+    {"turn", TR_REAL, TR_DIM_SPIN, "rad/s", "0", -1e6, 1e6, NULL, AT(turn),
+     "rate at which gravity turns, counter-clockwise: the slope steepens"},
 };
 #undef STRUCT
 
@@ -132,8 +149,13 @@ static const tr_param output[] = {
     {"frames", TR_COUNT, TR_DIM_NUMBER, "", "20", 0, 1e5, NULL, AT(frames), "pictures over the run; 0: none"},
     {"rows", TR_COUNT, TR_DIM_NUMBER, "", "400", 3, 1e6, NULL, AT(rows), "rows of history.csv"},
     {"contacts", TR_COUNT, TR_DIM_NUMBER, "", "1", 0, 1e5, NULL, AT(contacts), "instants listed in contacts.csv"},
-    {"paths", TR_PICKS, TR_DIM_NUMBER, "", "[]", 0, 0, NULL, AT(paths),
+    {"paths", TR_PICKS, TR_DIM_NUMBER, "", "[]", 0, TR_MAX_PICKS, NULL, AT(paths),
      "contacts whose path is written: 17-42 (two disks), wall0-3 (wall 0, disk 3), most-mobilised (at the end)"},
+};
+static const tr_param output_bodies[] = {
+    {"curve", TR_CHOICE, TR_DIM_NUMBER, "", "none", 0, 0, "none|speed|velocities|creepage|spin", AT(curve),
+     "drawn over time: speed of disk 0; V_s and V_r, or creepage, of the first contact; spin of the last disk"},
+    {"still", TR_REAL, TR_DIM_TIME, "s", "time_end", 0, 1e6, NULL, AT(still), "time of still.png"},
 };
 static const tr_param output_biaxial[] = {
     {"color", TR_CHOICE, TR_DIM_NUMBER, "", "mobilisation", 0, 0, "mobilisation|sliding|rolling", AT(color),
@@ -161,8 +183,14 @@ static const tr_param disk[] = {
     {"vy", TR_REAL, TR_DIM_SPEED, "m/s", "0", -1e6, 1e6, NULL, AT(vy), "velocity at the start"},
     {"spin", TR_REAL, TR_DIM_SPIN, "rad/s", "0", -1e9, 1e9, NULL, AT(spin),
      "rotation rate at the start, counter-clockwise"},
-    {"motion", TR_CHOICE, TR_DIM_NUMBER, "", "free", 0, 0, "free|prescribed", AT(motion),
-     "free: forces move it; prescribed: keeps vx, vy, spin"},
+    {"torque", TR_REAL, TR_DIM_MOMENT, "N|N*m", "0", -1e15, 1e15, NULL, AT(torque), "applied, counter-clockwise"},
+    {"motion", TR_CHOICE, TR_DIM_NUMBER, "", "free", 0, 0, "free|prescribed|orbit|pinned|driven", AT(motion),
+     "free: forces move it; prescribed: keeps vx, vy, spin; orbit: circles, keeps spin; pinned: keeps vx, vy; driven: "
+     "keeps spin"},
+    {"orbit", TR_REAL, TR_DIM_SPIN, "rad/s", "0", -1e9, 1e9, NULL, AT(orbit),
+     "rate of `motion: orbit` about (orbit_x, orbit_y), counter-clockwise"},
+    {"orbit_x", TR_REAL, TR_DIM_LENGTH, "m", "0", -1e6, 1e6, NULL, AT(orbit_x), "centre of the orbit"},
+    {"orbit_y", TR_REAL, TR_DIM_LENGTH, "m", "0", -1e6, 1e6, NULL, AT(orbit_y), "centre of the orbit"},
 };
 #undef STRUCT
 
@@ -174,6 +202,47 @@ static const tr_param wall[] = {
     {"ny", TR_REAL, TR_DIM_NUMBER, "1", NULL, -1e6, 1e6, NULL, AT(ny), "normal, to the side of the disks; any length"},
     {"vx", TR_REAL, TR_DIM_SPEED, "m/s", "0", -1e6, 1e6, NULL, AT(vx), "velocity"},
     {"vy", TR_REAL, TR_DIM_SPEED, "m/s", "0", -1e6, 1e6, NULL, AT(vy), "velocity"},
+};
+#undef STRUCT
+
+#define STRUCT tr_scene_check
+static const tr_param check[] = {
+    {"what", TR_CHOICE, TR_DIM_NUMBER, "", NULL, 0, 0,
+     "sliding-velocity|rolling-velocity|creepage|slip-ends|slip-starts|speed|acceleration|stop-time|stop-distance|spin|"
+     "torque|power|energy-lost|rolls-from|slips-from",
+     AT(what), "what is measured"},
+};
+static const tr_param check_contact[] = {
+    {"contact", TR_PICKS, TR_DIM_NUMBER, "", NULL, 0, 1, NULL, AT(contact),
+     "on which contact: 0-1 (two disks), wall0-1 (wall 0, disk 1)"},
+};
+static const tr_param check_disk[] = {
+    {"disk", TR_COUNT, TR_DIM_NUMBER, "", "0", 0, 1e3, NULL, AT(disk), "on which disk"},
+};
+static const tr_param check_time[] = {
+    {"at", TR_REAL, TR_DIM_TIME, "s", "time_end", 0, 1e6, NULL, AT(at), "when"},
+    {"over", TR_REAL, TR_DIM_TIME, "s", "0", 0, 1e6, NULL, AT(over), "mean over this time before; 0: the instant"},
+};
+#define CLOSED_FORM(rows, dim, unit)                                                                                   \
+    static const tr_param rows[] = {                                                                                   \
+        {"exact", TR_REAL, dim, unit, NULL, -1e30, 1e30, NULL, AT(exact), "the closed form"},                          \
+        {"tolerance", TR_REAL, dim, unit, NULL, 1e-30, 1e30, NULL, AT(tolerance), "largest |measured - exact|"},       \
+    }
+CLOSED_FORM(exact_speed, TR_DIM_SPEED, "m/s");
+CLOSED_FORM(exact_number, TR_DIM_NUMBER, "1");
+CLOSED_FORM(exact_time, TR_DIM_TIME, "s");
+CLOSED_FORM(exact_acceleration, TR_DIM_ACCELERATION, "m/s^2");
+CLOSED_FORM(exact_length, TR_DIM_LENGTH, "m");
+CLOSED_FORM(exact_spin, TR_DIM_SPIN, "rad/s");
+CLOSED_FORM(exact_moment, TR_DIM_MOMENT, "N|N*m");
+CLOSED_FORM(exact_power, TR_DIM_POWER, "N/s|J/s");
+CLOSED_FORM(exact_angle, TR_DIM_NUMBER, "rad");
+enum {
+    OF_CONTACT = (1 << (TR_SLIP_STARTS + 1)) - 1,
+    OF_DISK = ((1 << TR_N_WHATS) - 1) & ~OF_CONTACT,
+    EVENTS = 1 << TR_SLIP_ENDS | 1 << TR_SLIP_STARTS | 1 << TR_STOP_TIME | 1 << TR_STOP_DISTANCE | 1 << TR_ROLLS_FROM |
+             1 << TR_SLIPS_FROM,
+    AT_TIME = (OF_CONTACT | OF_DISK) & ~EVENTS
 };
 #undef STRUCT
 
@@ -233,6 +302,8 @@ static const tr_param path_start[] = {
 #define LIST(array, count_, least, most)                                                                               \
     .offset = AT(array), .item = sizeof *((tr_scene *)0)->array, .count = AT(count_), .min_items = least,              \
     .max_items = most
+#define CHECKS(rows, chosen_)                                                                                          \
+    SECTION("checks", "against closed forms", TR_FOR_BODIES, rows, LIST(checks, n_checks, 0, 32), .chosen = chosen_)
 const tr_section tr_sections[] = {
     SECTION("", "", TR_FOR_ALL, root, .offset = 0),
     SECTION("", "", TR_FOR_WORLDS, root_worlds, .offset = 0),
@@ -241,6 +312,7 @@ const tr_section tr_sections[] = {
     SECTION("", "", TR_FOR_PATCH, root_patch, .offset = 0),
     SECTION("", "", TR_FOR_PAIR, root_pair, .offset = 0, .derived = true),
     SECTION("", "", TR_FOR_CONTACT, root_contact, .offset = 0, .derived = true),
+    SECTION("lesson", "for the class", TR_FOR_ALL, lesson, .offset = AT(lesson)),
     SECTION("sample", "disks before compaction", TR_FOR_BIAXIAL, sample, .offset = AT(sample)),
     SECTION("contact", "what two disks do to each other", TR_FOR_WORLDS, contact, .offset = AT(contact),
             .first_slot = 1),
@@ -251,9 +323,23 @@ const tr_section tr_sections[] = {
     SECTION("step", "time step", TR_FOR_WORLDS, step, .offset = AT(step)),
     SECTION("output", "what is written", TR_FOR_WORLDS, output, .offset = AT(output)),
     SECTION("output", "", TR_FOR_BIAXIAL, output_biaxial, .offset = AT(output)),
+    SECTION("output", "", TR_FOR_BODIES, output_bodies, .offset = AT(output)),
     SECTION("output", "what is written", TR_FOR_PATCH, output_patch, .offset = AT(patch)),
     SECTION("disks", "", TR_FOR_BODIES, disk, LIST(disks, n_disks, 1, 1000)),
     SECTION("walls", "rigid planes", TR_FOR_BODIES, wall, LIST(walls, n_walls, 0, 100)),
+    CHECKS(check, 0),
+    CHECKS(check_contact, OF_CONTACT),
+    CHECKS(check_disk, OF_DISK),
+    CHECKS(check_time, AT_TIME),
+    CHECKS(exact_speed, 1 << TR_SLIDING_VELOCITY | 1 << TR_ROLLING_VELOCITY | 1 << TR_SPEED),
+    CHECKS(exact_number, 1 << TR_CREEPAGE | 1 << TR_ENERGY_LOST),
+    CHECKS(exact_time, 1 << TR_SLIP_ENDS | 1 << TR_SLIP_STARTS | 1 << TR_STOP_TIME),
+    CHECKS(exact_acceleration, 1 << TR_ACCELERATION),
+    CHECKS(exact_length, 1 << TR_STOP_DISTANCE),
+    CHECKS(exact_spin, 1 << TR_SPIN),
+    CHECKS(exact_moment, 1 << TR_TORQUE),
+    CHECKS(exact_power, 1 << TR_POWER),
+    CHECKS(exact_angle, 1 << TR_ROLLS_FROM | 1 << TR_SLIPS_FROM),
     SECTION("bodies", "the two in contact, of one material", TR_FOR_CONTACT, bodies_shape, .offset = 0),
     SECTION("bodies", "the two in contact, of one material", TR_FOR_PAIR, pair, .offset = AT(pair)),
     SECTION("bodies", "", TR_FOR_CONTACT, pair_density, .offset = AT(pair)),
@@ -282,6 +368,10 @@ const tr_section *tr_tables_next(const tr_section *section, unsigned kind) {
     return NULL;
 }
 
+bool tr_tables_chosen(const tr_section *section, const void *item) {
+    return !section->chosen || section->chosen >> *(const int *)item & 1;
+}
+
 #undef STRUCT
 
 #define STRUCT tr_scene_contact
@@ -296,9 +386,9 @@ tr_law_place tr_tables_slot(const tr_param_catalog *catalog, int i) {
 #undef STRUCT
 
 bool tr_tables_choice(const tr_param_catalog *catalog, const tr_param *param, int i, tr_shown *name) {
-    for (int k = 0; k < TR_SLOTS; k++) {
+    for (int k = 0; k < TR_SLOTS && !param->choices; k++) {
         tr_law_place slot = tr_tables_slot(catalog, k);
-        if (param->choices || strcmp(param->key, slot.key) != 0) continue;
+        if (strcmp(param->key, slot.key) != 0) continue;
         if (i < slot.n) *name = tr_text_show(slot.laws[i]->name);
         return i < slot.n;
     }
@@ -312,4 +402,17 @@ bool tr_tables_choice(const tr_param_catalog *catalog, const tr_param *param, in
     strncat(text, p, strcspn(p, "|") < sizeof text ? strcspn(p, "|") : sizeof text - 1);
     *name = tr_text_show(text);
     return true;
+}
+
+tr_scene_quantity tr_scene_what(int what, tr_shape shape) {
+    tr_scene_quantity q = {0};
+    tr_shown name;
+    char part[TR_BY_SHAPE];
+    if (tr_tables_choice(NULL, &check[0], what, &name)) snprintf(q.name, sizeof q.name, "%.31s", name.text);
+    for (int i = 0; i < tr_n_sections; i++) {
+        const tr_section *t = &tr_sections[i];
+        if (strcmp(t->key, "checks") == 0 && t->chosen & 1u << what && strcmp(t->params->key, "exact") == 0)
+            snprintf(q.unit, sizeof q.unit, "%.15s", tr_param_by_shape(t->params->unit, shape, part));
+    }
+    return q;
 }

@@ -17,7 +17,8 @@ enum {
     TR_SLOTS = 3
 };
 
-/* Rows of one section. Neighbours with the same key are one section, some of whose keys are for one kind only. */
+/* Rows of one section. Neighbours with the same key are one section, some of whose keys are for one kind only, or for
+ * some choices of its first key. */
 typedef struct tr_section {
     const char *key; /* in the root mapping; "": the root mapping itself */
     const char *doc;
@@ -30,9 +31,11 @@ typedef struct tr_section {
     size_t file;   /* of a list: offset in tr_scene of a char *: a single value in place of the list names a file that
                       holds it; 0: not so */
     int min_items, max_items;
-    bool derived;   /* the rows follow from other keys by their default: they can be named, but neither given nor
+    unsigned chosen; /* of a list whose items begin with an int, the choice of its first key: bits of the choices for
+                        which these rows are; 0: all */
+    bool derived;    /* the rows follow from other keys by their default: they can be named, but neither given nor
                        written. In a list their values have no place in the scene */
-    int first_slot; /* of sections whose struct is a tr_scene_contact: the keys of the laws of this and later slots are
+    int first_slot;  /* of sections whose struct is a tr_scene_contact: the keys of the laws of this and later slots are
                        in it too; 0: none, so it counts from 1 */
 } tr_section;
 
@@ -43,6 +46,9 @@ extern const int tr_n_sections;
 bool tr_tables_begins(int i, unsigned kind);
 /* The next of these neighbours that is for this kind, or NULL. */
 const tr_section *tr_tables_next(const tr_section *section, unsigned kind);
+
+/* These rows are for this item. */
+bool tr_tables_chosen(const tr_section *section, const void *item);
 
 /* kind: contact: default of the root's `depth` where `bodies.Lambda` is given. */
 extern const char tr_tables_depth_from_Lambda[];

@@ -119,6 +119,27 @@ bool tr_text_check(const tr_source *source, tr_status *st) {
     return true;
 }
 
+size_t tr_text_line(const char *text, char *line, size_t room) {
+    size_t used = 0, left = strlen(text), length;
+    bool gap = false;
+    for (; left; text += length, left -= length) {
+        int32_t c = decode(text, left, &length);
+        bool white = c == ' ' || c == '\t' || c == '\n' || c == '\r';
+        if (!white && !printable(c)) return 0; /* YAML's \x07 brings them past tr_text_check */
+        if (!white) {
+            gap = gap && used;
+            if (used + gap + length < room) {
+                if (gap) line[used] = ' ';
+                memcpy(line + used + gap, text, length);
+            }
+            used += gap + length;
+        }
+        gap = white;
+    }
+    if (used < room) line[used] = '\0';
+    return used + 1;
+}
+
 tr_mark tr_text_end(const tr_source *source) {
     tr_mark at = {source, 1, 1}, last = at;
     for (const char *p = source->text, *end = p + source->size; p < end;) {

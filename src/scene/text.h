@@ -34,6 +34,10 @@ bool tr_text_fail(tr_status *st, tr_mark at, const char *format, ...) __attribut
 /* The source is at most 1 MB of UTF-8 without tabs, NUL and other control characters; line ends are \n, \r\n or \r. */
 bool tr_text_check(const tr_source *source, tr_status *st);
 
+/* Text as one line: no white space at its ends, one space for each run of it inside. Returns the bytes that it takes with
+ * its NUL, and fills line where that is no more than room; 0: it holds a character that a case may not. */
+size_t tr_text_line(const char *text, char *line, size_t room);
+
 /* Behind the last visible character of a source: what a message about something missing points at. */
 tr_mark tr_text_end(const tr_source *source);
 

@@ -93,14 +93,14 @@ static bool refuse(builder *b, tr_mark mark, const yaml_char_t *anchor, const ya
     return tag ? tr_text_fail(b->st, mark, "tags (!name) are not allowed") : true;
 }
 
-/* One event; false on failure. *document counts the documents that began. */
-static bool take(builder *b, const yaml_event_t *event, int *documents) {
+/* One event; false on failure. */
+static bool take(builder *b, const yaml_event_t *event) {
     tr_mark mark = mark_of(b, event->start_mark);
     switch (event->type) {
     case YAML_DOCUMENT_START_EVENT:
         if (event->data.document_start.tag_directives.start != event->data.document_start.tag_directives.end)
             return tr_text_fail(b->st, mark, "tags (%%TAG) are not allowed");
-        if ((*documents)++) return tr_text_fail(b->st, mark, "a second document (---) is not allowed");
+        b->levels[0].key_mark = mark;
         return true;
     case YAML_ALIAS_EVENT:
         return tr_text_fail(b->st, mark, "aliases (*name) are not allowed; write the value out");
@@ -136,11 +136,10 @@ tr_node *tr_tree_read(const tr_source *source, tr_status *st) {
     if (!yaml_parser_initialize(&parser)) return tr_status_fail(st, TR_FILE, "error: out of memory"), NULL;
     yaml_parser_set_encoding(&parser, YAML_UTF8_ENCODING);
     yaml_parser_set_input_string(&parser, (const unsigned char *)source->text, source->size);
-    int documents = 0;
     bool ok = true, end = false;
     while (ok && !end) {
         yaml_event_t event;
-        ok = yaml_parser_parse(&parser, &event) ? take(&b, &event, &documents) : parser_failed(&b, &parser);
+        ok = yaml_parser_parse(&parser, &event) ? take(&b, &event) : parser_failed(&b, &parser);
         end = event.type == YAML_STREAM_END_EVENT;
         yaml_event_delete(&event);
     }
@@ -163,8 +162,10 @@ const tr_node *tr_tree_find(const tr_node *mapping, const char *key) {
 static tr_node *step(tr_node *parent, const char *key, tr_mark mark, tr_status *st) {
     if (parent->type == TR_NODE_VALUE && parent->text[0] == '\0')
         parent->type = TR_NODE_MAPPING; /* `output:` and no more */
-    if (parent->type == TR_NODE_VALUE)
-        return tr_text_fail(st, mark, "`%s` is a single value, it has no keys", tr_text_show(parent->key).text), NULL;
+    if (parent->type == TR_NODE_VALUE) {
+        const char *name = parent->key ? parent->key : parent->text; /* an item of a list has no key */
+        return tr_text_fail(st, mark, "`%s` is a single value, it has no keys", tr_text_show(name).text), NULL;
+    }
     tr_node **link = &parent->child;
     if (parent->type == TR_NODE_LIST) {
         char *end;
@@ -223,6 +224,33 @@ bool tr_tree_set(tr_node *root, const tr_source *set, tr_status *st) {
     node->straight = true;
     node->text = copy(value, n, st);
     return node->text;
+}
+
+/* A copy of a node and what is in it. keyed: it stands in a mapping. */
+static tr_node *twin(const tr_node *node, bool keyed, tr_status *st) {
+    tr_node *t = tr_alloc(1, sizeof *t, st);
+    if (!t) return NULL;
+    *t = (tr_node){.type = node->type, .mark = node->mark, .straight = node->straight, .key_mark = node->key_mark};
+    bool ok = !node->text || (t->text = copy(node->text, strlen(node->text), st));
+    ok = ok && (!keyed || (t->key = copy(node->key, strlen(node->key), st)));
+    tr_node **link = &t->child;
+    for (const tr_node *child = node->child; ok && child; child = child->next) {
+        ok = (*link = twin(child, node->type == TR_NODE_MAPPING, st));
+        if (ok) link = &(*link)->next;
+    }
+    if (ok) return t;
+    tr_tree_free(t);
+    return NULL;
+}
+
+bool tr_tree_merge(tr_node *over, const tr_node *base, tr_status *st) {
+    if (over->type != TR_NODE_MAPPING || base->type != TR_NODE_MAPPING) return true;
+    for (const tr_node *child = base->child; child; child = child->next) {
+        tr_node **link = &over->child;
+        while (*link && strcmp((*link)->key, child->key) != 0) link = &(*link)->next;
+        if (*link ? !tr_tree_merge(*link, child, st) : !(*link = twin(child, true, st))) return false;
+    }
+    return true;
 }
 
 int tr_tree_count(const tr_node *node) {

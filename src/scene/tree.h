@@ -2,7 +2,8 @@
 /* YAML text as a small tree that remembers where everything stood. All of libyaml is behind it.
  *
  * The subset is what a case needs and a reader can see: mappings, lists and single values, in block or flow style. No
- * anchors, aliases, tags, second documents or keys that are not text; nothing is nested deeper than TR_TREE_DEPTH. */
+ * anchors, aliases, tags or keys that are not text; nothing is nested deeper than TR_TREE_DEPTH. Documents of one file are
+ * siblings. */
 #ifndef TR_TREE_H
 #define TR_TREE_H
 
@@ -18,16 +19,20 @@ typedef struct tr_node {
     bool straight; /* of a value: letter i of text stands i columns behind mark (not so with escapes and many lines) */
     char *text;    /* of a value; never NULL there */
     char *key;     /* of a child of a mapping, else NULL */
-    tr_mark key_mark;
+    tr_mark key_mark;             /* of a document: where it begins, its `---` */
     struct tr_node *child, *next; /* first child; next sibling */
 } tr_node;
 
-/* The tree of a source that passed tr_text_check. NULL on failure. Free with tr_tree_free. */
+/* The first document of a source that passed tr_text_check. NULL on failure. Free with tr_tree_free. */
 tr_node *tr_tree_read(const tr_source *source, tr_status *st);
 
 /* Applies a --set, "a.b.c=value": replaces that value, and makes the mappings on the way that are not there yet. A
  * number names an item of a list. Whether such a key may exist is for the reader to say. */
 bool tr_tree_set(tr_node *root, const tr_source *set, tr_status *st);
+
+/* over becomes base with what over says changed: mappings key by key, lists and values whole. What comes from base keeps its
+ * marks. */
+bool tr_tree_merge(tr_node *over, const tr_node *base, tr_status *st);
 
 /* Child of a mapping by key; NULL when it has none, or is not a mapping, or is NULL. */
 const tr_node *tr_tree_find(const tr_node *mapping, const char *key);

@@ -23,48 +23,58 @@ static void write_real(char *text, size_t size, double value) {
     }
 }
 
-/* One key; lead is what stands before it. False: it is not given, another stands in its place. */
-static bool write_key(const writer *w, const tr_param *p, const void *base, const char *lead, bool comment) {
-    const void *value = (const char *)base + p->offset;
-    char text[TR_MAX_PICKS * TR_PICK_NAME + 8] = "", line[sizeof text + 80], unit[TR_BY_SHAPE];
-    if (p->type == TR_REAL && p->choices && isnan(*(const double *)value)) return false;
+static int write_quoted(FILE *out, const char *text) {
+    int n = fprintf(out, "\"");
+    for (; *text; text++) n += fprintf(out, strchr("\"\\", *text) ? "\\%c" : "%c", *text);
+    return n + fprintf(out, "\"");
+}
+
+static int write_picks(FILE *out, const tr_scene_picks *picks) {
+    int n = fprintf(out, "[");
+    for (int i = 0; i < picks->n; i++) {
+        char name[TR_PICK_NAME];
+        tr_scene_pick_name(picks->item[i], name);
+        n += fprintf(out, "%s%s", i ? ", " : "", name);
+    }
+    return n + fprintf(out, "]");
+}
+
+/* Returns its length in bytes. */
+static int write_value(const writer *w, const tr_param *p, const void *value) {
+    char number[32];
+    tr_shown name = {{0}};
     switch (p->type) {
     case TR_REAL:
-        write_real(text, sizeof text, *(const double *)value);
-        break;
+        write_real(number, sizeof number, *(const double *)value);
+        return fprintf(w->out, "%s", number);
     case TR_COUNT:
-        snprintf(text, sizeof text, "%d", *(const int *)value);
-        break;
+        return fprintf(w->out, "%d", *(const int *)value);
     case TR_SEED:
-        snprintf(text, sizeof text, "%" PRIu64, *(const uint64_t *)value);
-        break;
+        return fprintf(w->out, "%" PRIu64, *(const uint64_t *)value);
     case TR_SWITCH:
-        strcpy(text, *(const bool *)value ? "yes" : "no");
-        break;
-    case TR_CHOICE: {
-        tr_shown name = {{0}};
+        return fprintf(w->out, "%s", *(const bool *)value ? "yes" : "no");
+    case TR_CHOICE:
         tr_tables_choice(w->catalog, p, *(const int *)value, &name);
-        strcpy(text, name.text);
-        break;
+        return fprintf(w->out, "%s", name.text);
+    case TR_PICKS:
+        return write_picks(w->out, value);
+    case TR_TEXT:
+        return write_quoted(w->out, value);
     }
-    case TR_PICKS: {
-        const tr_scene_picks *picks = value;
-        char name[TR_PICK_NAME];
-        strcpy(text, "[");
-        for (int i = 0; i < picks->n; i++) {
-            tr_scene_pick_name(picks->item[i], name);
-            strcat(strcat(text, i ? ", " : ""), name);
-        }
-        strcat(text, "]");
-    }
-    }
-    snprintf(line, sizeof line, "%s%s: %s", lead, p->key, text);
-    if (!comment)
-        fprintf(w->out, "%s\n", line);
-    else if (p->type == TR_REAL)
-        fprintf(w->out, "%-42s # %s [%s]\n", line, p->doc, tr_param_by_shape(p->unit, w->scene->shape, unit));
-    else
-        fprintf(w->out, "%-42s # %s\n", line, p->doc);
+    return 0;
+}
+
+/* One key; lead is what stands before it. False: it is not given, another stands in its place. */
+static bool write_key(const writer *w, const tr_param *p, const void *base, const char *lead, bool comment) {
+    enum { COLUMN = 42 }; /* of the meanings */
+    const void *value = (const char *)base + p->offset;
+    char unit[TR_BY_SHAPE];
+    if (p->type == TR_REAL && p->choices && isnan(*(const double *)value)) return false;
+    int n = fprintf(w->out, "%s%s: ", lead, p->key);
+    n += write_value(w, p, value);
+    if (comment) fprintf(w->out, "%*s # %s", n < COLUMN ? COLUMN - n : 0, "", p->doc);
+    if (comment && p->type == TR_REAL) fprintf(w->out, " [%s]", tr_param_by_shape(p->unit, w->scene->shape, unit));
+    fprintf(w->out, "\n");
     return true;
 }
 
@@ -99,7 +109,7 @@ static void write_list(const writer *w, const tr_section *t) {
         const char *item = items + (size_t)i * t->item;
         const char *lead = "  - ";
         for (const tr_section *u = t; u; u = tr_tables_next(u, 1u << w->scene->kind)) {
-            for (int k = 0; k < u->n && !u->derived; k++)
+            for (int k = 0; k < u->n && !u->derived && tr_tables_chosen(u, item); k++)
                 if (write_key(w, &u->params[k], item, lead, i == 0)) lead = "    ";
             if (u->first_slot) write_laws(w, item, u->first_slot, "    ");
         }
@@ -112,9 +122,9 @@ static void write_section(const writer *w, const tr_section *t, bool begins) {
     if (t->file) memcpy(&file, (const char *)w->scene + t->file, sizeof file);
     if (file && !begins) return;
     if (file) {
-        fprintf(w->out, "\n%s: \"", t->key);
-        for (; *file; file++) fprintf(w->out, strchr("\"\\", *file) ? "\\%c" : "%c", *file);
-        fprintf(w->out, "\"\n");
+        fprintf(w->out, "\n%s: ", t->key);
+        write_quoted(w->out, file);
+        fprintf(w->out, "\n");
         return;
     }
     if (*t->key && begins) fprintf(w->out, *t->doc ? "\n%s: # %s\n" : "\n%s:\n", t->key, t->doc);
@@ -127,15 +137,24 @@ static void write_section(const writer *w, const tr_section *t, bool begins) {
     if (t->first_slot) write_laws(w, (const char *)w->scene + t->offset, t->first_slot, "  ");
 }
 
+static void write_document(const writer *w) {
+    unsigned kind = 1u << w->scene->kind;
+    for (int i = 0; i < tr_n_sections; i++) {
+        const tr_section *t = &tr_sections[i];
+        if (t->kinds & kind) write_section(w, t, tr_tables_begins(i, kind));
+    }
+}
+
 char *tr_scene_write(const tr_scene *scene, const tr_param_catalog *catalog, tr_status *st) {
     char *text = NULL;
     size_t size;
     writer w = {scene, catalog, open_memstream(&text, &size)};
     if (w.out) {
-        for (int i = 0; i < tr_n_sections; i++) {
-            const tr_section *t = &tr_sections[i];
-            unsigned kind = 1u << scene->kind;
-            if (t->kinds & kind) write_section(&w, t, tr_tables_begins(i, kind));
+        write_document(&w);
+        for (int i = 0; i < scene->n_more; i++) {
+            fprintf(w.out, "\n---\n");
+            w.scene = &scene->more[i];
+            write_document(&w);
         }
         bool failed = ferror(w.out);
         if (fclose(w.out) == 0 && !failed) return text;

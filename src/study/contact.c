@@ -66,7 +66,8 @@ static void set_line(line *l, const tr_scene_contact *laws, const tr_scene *scen
                              .m2 = m2,
                              .I1 = of_mass * m1 * R1 * R1,
                              .I2 = of_mass * m2 * R2 * R2,
-                             .held = true};
+                             .held1 = true,
+                             .held2 = true};
     l->R1 = R1, l->R2 = R2, l->g1 = R1 / (R1 + R2);
     l->E_star = modulus(laws, scene);
     l->normal = tr_laws_normal[laws->normal.law], l->normal_par = laws->normal.par;

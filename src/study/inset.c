@@ -17,9 +17,9 @@ static double value_of(const tr_group *g, const char *key) {
 
 bool tr_inset_open(tr_inset *inset, const tr_world *world, tr_scene_pick pick, tr_status *st) {
     *inset = (tr_inset){.pick = pick};
-    if (world->shape != TR_SHAPE_DISK || pick.a < 0) return false;
-    const tr_group *g = &world->group[0];
-    tr_pair_bodies bodies = tr_world_pair(world, g, pick.a, pick.b);
+    if (world->shape != TR_SHAPE_DISK) return false;
+    const tr_group *g = &world->group[pick.a < 0];
+    tr_pair_bodies bodies = tr_world_pair(world, g, pick.a < 0 ? -1 - pick.a : pick.a, pick.b);
     inset->pair = (tr_patch_pair){.R_star = tr_law_R_star(bodies.R1, bodies.R2),
                                   .E_star = value_of(g, "E_star"),
                                   .d = tr_law_depth(value_of(g, "depth"), bodies.R1, bodies.R2),
@@ -36,14 +36,26 @@ static bool is_due(const tr_inset *inset, tr_path_point now) {
     const tr_patch_pair *pair = &inset->pair;
     const tr_path_point *at = &inset->at;
     double a = tr_patch_a(pair, now.P), before = tr_patch_a(pair, at->P);
-    return (now.P > 0) != (at->P > 0) || fabs(now.u_roll - at->u_roll) > 2 * a / ELEMENTS ||
+    return (now.P > 0) != (at->P > 0) ||
            fabs(now.u_slide - at->u_slide) > 0.05 * pair->mu * a * a / (2 * pair->R_star) ||
            fabs(a - before) > 2 * a / ELEMENTS;
 }
 
-bool tr_inset_step(tr_inset *inset, tr_path_point now, bool for_frame, tr_status *st) {
-    if (!inset->solver || !(for_frame || is_due(inset, now))) return true;
-    tr_patch_step step = {.P = now.P, .dr = now.u_roll - inset->at.u_roll, .du = now.u_slide - inset->at.u_slide};
-    inset->at = now;
+static bool step_to(tr_inset *inset, tr_path_point to, tr_status *st) {
+    tr_patch_step step = {.P = to.P, .dr = to.u_roll - inset->at.u_roll, .du = to.u_slide - inset->at.u_slide};
+    inset->at = to;
     return tr_half_plane_step(inset->solver, &step, st);
+}
+
+bool tr_inset_step(tr_inset *inset, tr_path_point now, tr_status *st) {
+    const tr_path_point *at = &inset->at;
+    double h = 2 * tr_patch_a(&inset->pair, now.P) / ELEMENTS;
+    while (now.P > 0 && at->P > 0 && fabs(now.u_roll - at->u_roll) >= h * (1 - 1e-9)) { /* whole elements */
+        double part = fmin(h / fabs(now.u_roll - at->u_roll), 1);
+        tr_path_point to = {.u_slide = at->u_slide + part * (now.u_slide - at->u_slide),
+                            .u_roll = at->u_roll + part * (now.u_roll - at->u_roll),
+                            .P = at->P + part * (now.P - at->P)};
+        if (!step_to(inset, to, st)) return false;
+    }
+    return !is_due(inset, now) || step_to(inset, now, st);
 }

@@ -2,8 +2,8 @@
 /* The inside of one contact of an assembly, for its frames: the half-plane (patch/half_plane.h) driven by that contact's
  * own path since the start, its P, u_slide and u_roll. Nothing is made up from Q; the half-plane finds its own.
  *
- * It steps when the contact has rolled an element h = 2a/n, has slid 1/20 of mu a^2/(2 R_star) = 2 mu P/(pi E_star), the
- * scale of Cattaneo's sliding, or a has changed by 2/n; when it opens or closes; and for a frame. R_star is that of the
+ * It steps by whole elements h = 2a/n of rolling, which it carries on exactly; and when the contact has slid 1/20 of
+ * mu a^2/(2 R_star) = 2 mu P/(pi E_star), the scale of Cattaneo's sliding, a has changed by 2/n, or it opens or closes. R_star is that of the
  * two disks, mu and E_star those of the laws, depth that of the normal law or by its default 2 sqrt(R1 R2)/e. */
 #ifndef TR_INSET_H
 #define TR_INSET_H
@@ -18,11 +18,11 @@ typedef struct tr_inset {
     tr_path_point at; /* where the solver stands */
 } tr_inset;
 
-/* False: no inset, for this is not a contact of two disks whose laws have mu and E_star. */
+/* False: no inset, for this is not a contact of disks whose laws have mu and E_star. */
 bool tr_inset_open(tr_inset *inset, const tr_world *world, tr_scene_pick pick, tr_status *st);
 void tr_inset_close(tr_inset *inset);
 
-/* The contact has got to `now`; for_frame: step in any case. */
-bool tr_inset_step(tr_inset *inset, tr_path_point now, bool for_frame, tr_status *st);
+/* The contact has got to `now`; the solver stands less than a step behind. */
+bool tr_inset_step(tr_inset *inset, tr_path_point now, tr_status *st);
 
 #endif

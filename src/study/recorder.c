@@ -31,7 +31,7 @@ tr_scene_pick tr_recorder_most(tr_world *world, tr_status *st) {
 }
 
 bool tr_recorder_open(tr_recorder *r, const tr_scene *scene, tr_scene_pick most, tr_world *world, const char *dir,
-                      tr_run_report *report, tr_status *st) {
+                      const char *prefix, tr_run_report *report, tr_status *st) {
     const tr_scene_picks *picks = &scene->output.paths;
     *r = (tr_recorder){.shape = scene->shape, .dt = world->dt, .report = report};
     if (!picks->n) return true;
@@ -40,7 +40,7 @@ bool tr_recorder_open(tr_recorder *r, const tr_scene *scene, tr_scene_pick most,
         tr_scene_pick pick = picks->item[k];
         char name[TR_PICK_NAME], file[TR_PICK_NAME + 16];
         tr_scene_pick_name(pick, name);
-        snprintf(file, sizeof file, "paths/%s.csv", name);
+        snprintf(file, sizeof file, "paths/%s%s.csv", prefix, name);
         if (pick.a == pick.b) {
             pick = most;
             tr_scene_pick_name(pick, name);

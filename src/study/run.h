@@ -21,8 +21,9 @@ typedef struct tr_run_options {
 typedef struct tr_run_report {
     int n_lines, n_notes;
     struct tr_report_line {
-        char label[40], value[80];
-    } line[24];
+        char label[40], value[160];
+    } line[24 + TR_MAX_LANES * 32]; /* 32: checks of a scene */
+    int failed;                     /* checks; the run is complete all the same */
     char note[8][200];
 } tr_run_report;
 

@@ -109,6 +109,11 @@ static bool row(test *t, const tr_measures *m, tr_status *st) {
     return tr_outputs_row(&t->out, &cells, st);
 }
 
+static bool write_contacts(test *t, int n, tr_status *st) {
+    t->out.instants++;
+    return tr_outputs_contacts(&t->out, -1, t->state.time, t->state.strain, t->out.records, n, st);
+}
+
 static bool look(test *t, unsigned due, tr_status *st) {
     double start = tr_run_clock();
     int n = tr_record_all(&t->b.world, &t->out.records, &t->out.capacity, st);
@@ -119,7 +124,7 @@ static bool look(test *t, unsigned due, tr_status *st) {
     else
         tr_biaxial_shape(&t->b, &t->state);
     if (due & TR_DUE_ROW && !row(t, &m, st)) return false;
-    if (due & TR_DUE_CONTACTS && !tr_outputs_contacts(&t->out, t->state.time, t->state.strain, n, st)) return false;
+    if (due & TR_DUE_CONTACTS && !write_contacts(t, n, st)) return false;
     if (due & TR_DUE_FRAME && !frame(t, n, &m, st)) return false;
     t->out.seconds += tr_run_clock() - start;
     return true;
@@ -134,9 +139,9 @@ static void open_inset(test *t) {
 }
 
 /* A test goes on without its inset. */
-static void step_inset(test *t, bool for_frame) {
+static void step_inset(test *t) {
     tr_status why = {0};
-    if (!t->inset.solver || tr_inset_step(&t->inset, tr_recorder_now(&t->out.recorder, 0), for_frame, &why)) return;
+    if (!t->inset.solver || tr_inset_step(&t->inset, tr_recorder_now(&t->out.recorder, 0), &why)) return;
     tr_run_note(t->report, "no inset from strain %.4f on: %.120s", t->state.strain, why.text);
     tr_inset_close(&t->inset);
 }
@@ -149,7 +154,7 @@ static bool shear(test *t, tr_status *st) {
                                   t->rehearsal ? "in the rehearsal " : "", t->state.strain, t->scene->shear.strain_end);
         if (!tr_biaxial_forces(&t->b, st) || !tr_recorder_step(&t->out.recorder, st)) return false;
         unsigned due = t->rehearsal ? 0 : tr_outputs_due(&t->out, k, total);
-        step_inset(t, due & TR_DUE_FRAME);
+        step_inset(t);
         if (due && !look(t, due, st)) return false;
         if (k == total) return true;
         if (k % 256 == 0) tr_run_progress(t->options, t->rehearsal ? "rehearsal" : "shear", (double)k / (double)total);
@@ -237,7 +242,7 @@ bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run
         double shear_started = tr_run_clock();
         t->b.world.contact_updates = 0;
         if (tr_outputs_open(&t->out, scene, options, "biaxial.mp4", t->b.shear_steps, report, st) &&
-            tr_recorder_open(&t->out.recorder, scene, t->most, &t->b.world, options->dir, report, st))
+            tr_recorder_open(&t->out.recorder, scene, t->most, &t->b.world, options->dir, "", report, st))
             open_inset(t), shear(t, st);
         double stepping = tr_run_clock() - shear_started - t->out.seconds;
         ok = tr_outputs_close(&t->out, st) && summarise(t, started, stepping, st);

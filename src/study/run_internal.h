@@ -5,6 +5,7 @@
 
 #include "draw/draw.h"
 #include "out/dir.h"
+#include "out/summary.h"
 #include "out/table.h"
 #include "study/contact.h"
 #include "study/film.h"
@@ -33,6 +34,9 @@ double tr_run_clock(void); /* wall time [s] */
 
 void tr_run_say(tr_run_report *report, const char *label, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
+/* A check as a line of the report, and as a still shows it. several: with the label of its scene, which is one of them. */
+void tr_run_say_check(tr_run_report *report, const tr_check_result *result, bool several);
+tr_show_check tr_run_shown_check(const tr_check_result *result, const tr_scene *scene, bool several);
 void tr_run_note(tr_run_report *report, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* Item j of n, from 0 to the end; a single one at the end. n <= total + 1, so no two fall on one step. */
 bool tr_run_is_due(int j, int n, int64_t k, int64_t total);
@@ -63,7 +67,9 @@ enum { TR_DUE_ROW = 1, TR_DUE_FRAME = 2, TR_DUE_CONTACTS = 4 };
 unsigned tr_outputs_due(const tr_outputs *o, int64_t k, int64_t total);
 
 bool tr_outputs_row(tr_outputs *o, const tr_row *row, tr_status *st);
-bool tr_outputs_contacts(tr_outputs *o, double time, double strain, int n_records, tr_status *st);
+/* One instant of one scene; number: of several, -1: of one. The caller counts the instants. */
+bool tr_outputs_contacts(tr_outputs *o, int number, double time, double strain, const tr_record *records, int n,
+                         tr_status *st);
 bool tr_outputs_frame(tr_outputs *o, tr_draw *draw, const tr_view *view, tr_status *st);
 
 /* Gives the files their names, whatever ended the run: their rows are whole. A file that could not be written is

@@ -81,7 +81,7 @@ static bool draw(show *s, const tr_contact_state *now, tr_status *st) {
                           .p_max = tr_patch_p0(&s->pair, s->P_max),
                           .slip_max = s->slip_max,
                           .progress = (double)s->done / (double)s->total,
-                          .title = "Inside the contact",
+                          .title = *s->scene->lesson.title ? s->scene->lesson.title : "Inside the contact",
                           .line = lines,
                           .n_lines = sizeof lines / sizeof *lines};
     tr_draw_patch(s->film.canvas, &view);

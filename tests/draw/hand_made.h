@@ -95,7 +95,7 @@ static inline hand_made *hand_packing(int iterations) {
     return h;
 }
 
-/* A contact of disks a and b after arcs da, db; v_s and v_r_by made from s1, s2. a < 0: wall -1-a. */
+/* A contact of disks a and b after arcs da, db; v_s, v_s_by and v_r_by made from s1, s2. a < 0: wall -1-a. */
 static inline void hand_contact(hand_made *h, int a, int b, double s1, double s2, double da, double db) {
     const double *q = h->pos + 4 * b;
     tr_record r = {.a = a, .b = b, .R2 = q[3], .s1 = s1, .s2 = s2, .v_s = s1 - s2, .f_n = 1, .da = da, .db = db};
@@ -111,6 +111,7 @@ static inline void hand_contact(hand_made *h, int a, int b, double s1, double s2
     r.v_r = (1 - g1) * s1 + g1 * s2;
     r.v_r_by[0] = r.v_r, r.v_r_by[1] = mean;
     r.v_r_by[2] = s1 * s2 > 0 ? (fabs(s1) < fabs(s2) ? s1 : s2) : 0, r.v_r_by[3] = s1 * s2 > 0 ? mean : 0;
+    r.v_s_by[0] = r.v_s, r.v_s_by[1] = r.v_s / 2, r.v_s_by[2] = r.v_s;
     h->record[h->view.n_records++] = r;
 }
 
@@ -138,6 +139,23 @@ static inline hand_made *hand_floor(double R, double x, double th, double v, dou
     h->view.time = 0.15, h->view.time_end = 0.5;
     h->view.title = "From slipping to rolling";
     return h;
+}
+
+/* The same as one of the lanes of a film, and a film of lanes. */
+static inline tr_show_lane hand_lane(const hand_made *h) {
+    return (tr_show_lane){.world = &h->world,
+                          .record = h->record,
+                          .n_records = h->view.n_records,
+                          .slope = NAN,
+                          .x0 = h->view.x0,
+                          .y0 = h->view.y0,
+                          .x1 = h->view.x1,
+                          .y1 = h->view.y1};
+}
+
+static inline tr_show hand_show(const tr_show_lane *lane, int n) {
+    return (tr_show){
+        .title = "From slipping to rolling", .time = 0.15, .time_end = 0.5, .slower = 1, .lane = lane, .n_lanes = n};
 }
 
 #endif

@@ -41,9 +41,9 @@ static int tear_down(void **state) {
 }
 
 static char *in_dir(const fixture *f, const char *name) {
-    static char path[2][128];
+    static char path[4][128];
     static int turn;
-    turn = !turn;
+    turn = (turn + 1) % 4;
     snprintf(path[turn], sizeof path[turn], "%s/%s", f->dir, name);
     return path[turn];
 }
@@ -123,13 +123,20 @@ static void test_png_round_trip(void **state) {
     free(h);
 }
 
+static void draw_bodies(tr_canvas *canvas, const hand_made *h) {
+    tr_show_lane lane = hand_lane(h);
+    tr_show show = hand_show(&lane, 1);
+    show.range = h->view.range, show.time = h->view.time;
+    tr_draw_show(canvas, &show);
+}
+
 static void test_same_view_same_bytes(void **state) {
     fixture *f = *state;
     hand_made *h = hand_packing(60), *pair = hand_pair(10e-3, 5e-3, 1.2, -2.4, 0.5, -1);
     unsigned char *first = malloc(N_BYTES);
     tr_draw_biaxial(f->canvas, &h->view);
     memcpy(first, tr_canvas_pixels(f->canvas), N_BYTES);
-    tr_draw_bodies(f->canvas, &pair->view);
+    draw_bodies(f->canvas, pair);
     assert_memory_not_equal(first, tr_canvas_pixels(f->canvas), N_BYTES);
     tr_draw_biaxial(f->canvas, &h->view);
     assert_memory_equal(first, tr_canvas_pixels(f->canvas), N_BYTES);
@@ -183,13 +190,13 @@ static void test_line_width_follows_force(void **state) {
 static void test_bodies_shows_arcs_bars_and_walls(void **state) {
     fixture *f = *state;
     hand_made *h = hand_floor(10e-3, 14e-3, -0.6, 0.2, -6);
-    tr_draw_bodies(f->canvas, &h->view);
+    draw_bodies(f->canvas, h);
     assert_true(count(f->canvas, TR_BLUE, 0, TR_FRAME_HEIGHT) > 1000);
     assert_true(count(f->canvas, TR_VERMILLION, 0, TR_FRAME_HEIGHT) > 400);
     assert_true(count(f->canvas, TR_WALL, 0, TR_FRAME_HEIGHT) > 2000);
     assert_true(count(f->canvas, TR_GREEN, 0, 660) > 300);
     h->view.n_records = 0;
-    tr_draw_bodies(f->canvas, &h->view);
+    draw_bodies(f->canvas, h);
     assert_int_equal(count(f->canvas, TR_BLUE, 0, TR_FRAME_HEIGHT), 0);
     assert_int_equal(count(f->canvas, TR_VERMILLION, 0, TR_FRAME_HEIGHT), 0);
     assert_true(count(f->canvas, TR_DISK, 0, TR_FRAME_HEIGHT) > 10000);
@@ -199,10 +206,10 @@ static void test_bodies_shows_arcs_bars_and_walls(void **state) {
 /* Both disks turned to the left: the arc goes up from the contact on the left disk, down on the right one. */
 static void test_arcs_go_the_right_way(void **state) {
     fixture *f = *state;
-    const int middle = 368;
+    const int middle = 366; /* of the stage */
     for (int sign = -1; sign <= 1; sign += 2) {
         hand_made *h = hand_pair(8e-3, 8e-3, 0.9 * sign, 0.9 * sign, 0, 0);
-        tr_draw_bodies(f->canvas, &h->view);
+        draw_bodies(f->canvas, h);
         int up_a = count(f->canvas, TR_BLUE, 100, middle), down_a = count(f->canvas, TR_BLUE, middle + 1, 640);
         int up_b = count(f->canvas, TR_VERMILLION, 100, middle),
             down_b = count(f->canvas, TR_VERMILLION, middle + 1, 640);
@@ -236,14 +243,14 @@ static void test_bad_numbers_are_left_out(void **state) {
                                 &h->view.time,   &h->world.wall[1].y};
             *target[k] = bad[i];
             tr_draw_biaxial(f->canvas, &h->view);
-            tr_draw_bodies(f->canvas, &h->view);
+            draw_bodies(f->canvas, h);
             double range = tr_frame_range(r, 1, h->view.color), speed = tr_frame_range_bodies(&h->world, r, 1);
             assert_true(range > 0 && isfinite(range) && speed > 0 && isfinite(speed));
             free(h);
         }
     hand_made *none = hand_start();
     tr_draw_biaxial(f->canvas, &none->view);
-    tr_draw_bodies(f->canvas, &none->view);
+    draw_bodies(f->canvas, none);
     free(none);
     char *path = in_dir(f, "bad.png");
     assert_true(tr_canvas_png(f->canvas, path, &st)); /* Cairo is still in good health */
@@ -329,7 +336,7 @@ static bool film(const fixture *f, const char *path, int frames, tr_status *st) 
     bool ok = video;
     for (int i = 0; ok && i < frames; i++) {
         h->pos[2] += 0.1;
-        tr_draw_bodies(f->canvas, &h->view);
+        draw_bodies(f->canvas, h);
         ok = tr_video_frame(video, f->canvas, st);
     }
     free(h);
@@ -348,6 +355,18 @@ static char *slurp(const char *path, size_t *size) {
     return bytes;
 }
 
+/* Width, height, rate, and number of frames, as ffprobe sees them. */
+static void probe(const char *path, char said[100]) {
+    char command[400];
+    snprintf(command, sizeof command,
+             "ffprobe -v error -count_frames -show_entries stream=width,height,r_frame_rate,nb_read_frames -of csv=p=0 "
+             "'file:%s'",
+             path);
+    FILE *out = popen(command, "r");
+    assert_non_null(fgets(said, 100, out));
+    pclose(out);
+}
+
 static void test_video(void **state) {
     fixture *f = *state;
     if (!tr_video_available()) skip();
@@ -361,13 +380,35 @@ static void test_video(void **state) {
     assert_memory_equal(b1, b2, n1);
     free(b1);
     free(b2);
-    char command[400], said[100] = "";
-    snprintf(command, sizeof command,
-             "ffprobe -v error -count_frames -show_entries stream=width,height,nb_read_frames -of csv=p=0 %s", one);
-    FILE *probe = popen(command, "r");
-    assert_non_null(fgets(said, sizeof said, probe));
-    pclose(probe);
-    assert_string_equal(said, "1280,720,12\n");
+    char said[100];
+    probe(one, said);
+    assert_string_equal(said, "1280,720,25/1,12\n");
+}
+
+/* Of 37 frames at 25 a second, every third (8 1/3 a second): 13. */
+static void test_gif(void **state) {
+    fixture *f = *state;
+    if (!tr_video_available()) skip();
+    tr_status st = {0};
+    char *mp4 = in_dir(f, "a.mp4"), *gif = in_dir(f, "a:.gif"), said[100];
+    assert_true(film(f, mp4, 37, &st));
+    assert_true(tr_video_gif(mp4, gif, 25, &st));
+    probe(gif, said);
+    assert_string_equal(said, "640,360,25/3,13\n");
+    size_t n, at = 0;
+    char *bytes = slurp(gif, &n);
+    while (at + 16 < n && memcmp(bytes + at, "NETSCAPE2.0\3\1\0\0", 16)) at++; /* 0 rounds: for ever */
+    assert_true(at + 16 < n);
+    free(bytes);
+
+    char *full = in_dir(f, "full.gif"), *part = in_dir(f, "full.gif.part");
+    assert_int_equal(symlink("/dev/full", part), 0);
+    st = (tr_status){0};
+    assert_false(tr_video_gif(mp4, full, 25, &st));
+    assert_int_equal(st.code, TR_FILE);
+    assert_non_null(strstr(st.text, "full.gif: "));
+    assert_non_null(strstr(st.text, "No space left on device"));
+    assert_false(exists(full) || exists(part));
 }
 
 static void test_video_failures_leave_no_file(void **state) {
@@ -439,6 +480,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_bad_numbers_are_left_out, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_png_failures_leave_no_file, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_video, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_gif, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_video_failures_leave_no_file, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_video_without_ffmpeg, set_up, tear_down),
     };

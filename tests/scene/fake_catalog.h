@@ -101,6 +101,31 @@ static const char bodies_case[] =
     "  - {nx: 0.3, ny: 0.7, vx: 1 mm/s}\n"
     "  - {nx: -1, ny: 1e-3}\n";
 
+/* Goes on behind bodies_case. */
+static const char checks_part[] = "checks:\n"
+                                  "  - what: slip-ends\n"
+                                  "    contact: wall0-1\n"
+                                  "    exact: disks.0.vx/(3*contact.mu*9.81 m/s^2)\n"
+                                  "    tolerance: 0.01*exact\n"
+                                  "  - {what: creepage, contact: 1-0, over: at/4, exact: 1/3, tolerance: 1e-6}\n"
+                                  "  - {what: spin, disk: 1, at: 0.3*time_end, exact: -disks.0.spin, tolerance: 0.1}\n";
+
+/* Goes on behind them. */
+static const char documents_part[] =
+    "label: first\n"
+    "---\n"
+    "label: \"second: \\\"b\\\"\"\n"
+    "contact: {k_n: 3 MPa, mu: 0.25}\n"
+    "---\n"
+    "kind: bodies\n"
+    "contact: {normal: sticky, layers: 2*3, friction: none, rolling: wang-spring, k_r: k_n/7}\n"
+    "gravity: {turn: 1 deg/s}\n"
+    "disks:\n"
+    "  - {radius: 1/3, x: 0, y: radius, vx: 2 m/s}\n"
+    "  - {radius: 1, x: 1, y: radius, motion: driven, spin: 1 rad/s}\n"
+    "walls: [{nx: 1, ny: 0.1}]\n"
+    "checks:\n";
+
 static const char contact_case[] = "kind: contact\n"
                                    "bodies: {R1: 10 mm, R2: R1/3, E: 70 GPa, nu: 0.3, density: 1 g/cm^3}\n"
                                    "laws:\n"

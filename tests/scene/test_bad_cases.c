@@ -40,8 +40,7 @@ static const bad_case rows[] = {
     {"kind: !!str biaxial\n", 0, NULL, "a.yaml:1:7: error: tags (!name) are not allowed\nkind: !!str biaxial\n      ^"},
     {"%TAG ! tag:x,2000:\n---\nkind: biaxial\n", 0, NULL,
      "a.yaml:1:1: error: tags (%TAG) are not allowed\n%TAG ! tag:x,2000:\n^"},
-    {"kind: biaxial\n---\nkind: bodies\n", 0, NULL,
-     "a.yaml:2:1: error: a second document (---) is not allowed\n---\n^"},
+    {GOOD "---\nkind: bodies\n", 0, NULL, "a.yaml:5:1: error: a second document (---) is not allowed\n---\n^"},
     {"kind: biaxial\nseed: 1\nkind: bodies\n", 0, NULL,
      "a.yaml:3:1: error: duplicate key `kind`; it is already given in line 1\nkind: bodies\n^"},
     {"kind: biaxial\nsample: {disks: 4\n", 0, NULL,
@@ -64,27 +63,44 @@ static const bad_case rows[] = {
      "along a path, or the inside of one\nkind: "
      "[biaxial]\n      ^"},
     {GOOD "smaple: {disks: 4}\n", 0, NULL,
-     "a.yaml:5:1: error: unknown key `smaple` (did you mean `sample`?); allowed here: kind, shape, seed, sample, "
+     "a.yaml:5:1: error: unknown key `smaple` (did you mean `sample`?); allowed here: kind, shape, seed, lesson, "
+     "sample, "
      "contact, "
      "compaction, shear, step, output\nsmaple: {disks: 4}\n^"},
     {GOOD "frobnicate: 3\n", 0, NULL,
-     "a.yaml:5:1: error: unknown key `frobnicate`; allowed here: kind, shape, seed, sample, contact, compaction, "
+     "a.yaml:5:1: error: unknown key `frobnicate`; allowed here: kind, shape, seed, lesson, sample, contact, "
+     "compaction, "
      "shear, step, "
      "output\nfrobnicate: 3\n^"},
     {GOOD "gravity: {y: -9.81}\n", 0, NULL,
-     "a.yaml:5:1: error: `gravity` is not for `kind: biaxial`; allowed here: kind, shape, seed, sample, contact, "
+     "a.yaml:5:1: error: `gravity` is not for `kind: biaxial`; allowed here: kind, shape, seed, lesson, sample, "
+     "contact, "
      "compaction, "
      "shear, step, output\ngravity: {y: -9.81}\n^"},
     {GOOD_BODIES "seed: 3\n", 0, NULL, /* nothing is random there */
-     "a.yaml:5:1: error: `seed` is not for `kind: bodies`; allowed here: kind, shape, time_end, contact, gravity, "
+     "a.yaml:5:1: error: `seed` is not for `kind: bodies`; allowed here: kind, shape, time_end, label, lesson, "
+     "contact, gravity, "
      "step, "
-     "output, disks, walls\nseed: 3\n^"},
+     "output, disks, walls, checks\nseed: 3\n^"},
     {GOOD_BODIES "output: {energy: yes}\n", 0, NULL,
-     "a.yaml:5:10: error: `output.energy` is not for `kind: bodies`; allowed here: frames, rows, contacts, paths"
-     "\noutput: {energy: yes}\n         ^"},
+     "a.yaml:5:10: error: `output.energy` is not for `kind: bodies`; allowed here: frames, rows, contacts, paths, "
+     "curve, still\noutput: {energy: yes}\n         ^"},
     {GOOD "output: {color: mobilization}\n", 0, NULL,
      "a.yaml:5:17: error: `mobilization` is not a choice for `color` (did you mean `mobilisation`?); allowed is "
      "mobilisation | sliding | rolling\noutput: {color: mobilization}\n                ^"},
+    {GOOD_BODIES "lesson: {title: \"0123456789012345678901234567890123456789012345678901234567890\u00e4b\"}\n", 0, NULL,
+     "a.yaml:5:17: error: `title` is 64 bytes of UTF-8 long, allowed is 63\nlesson: {title: "
+     "\"0123456789012345678901234567890123456789012345678901234567890\u00e4b\"}\n                ^"},
+    {GOOD "lesson:\n  title: Rolling\n  question: \"a\\x1b[31mb\"\n", 0, NULL, /* YAML's escapes bring it in */
+     "a.yaml:7:13: error: `question` holds a character that is not allowed; it is a line of text\n  question: "
+     "\"a\\x1b[31mb\"\n            ^"},
+    {GOOD "lesson: {answer: [1, 2]}\n", 0, NULL,
+     "a.yaml:5:18: error: `lesson.answer` must be a single value: to the question\nlesson: {answer: [1, 2]}\n      "
+     "           ^"},
+    {GOOD "label: a\n", 0, NULL,
+     "a.yaml:5:1: error: `label` is not for `kind: biaxial`; allowed here: kind, shape, seed, lesson, sample, contact, "
+     "compaction, shear, step, output\nlabel: a\n^"},
+    {"just words", 0, "seed=3", "a.yaml:1:1: error: a case must be a mapping of keys and values\njust words\n^"},
     {GOOD "output: {energy: maybe}\n", 0, NULL,
      "a.yaml:5:18: error: `maybe` is not a choice for `energy`; allowed is yes | no\noutput: {energy: maybe}\n         "
      "        ^"},
@@ -222,6 +238,11 @@ static const bad_case rows[] = {
      "sample\nseed.x=3\n^"},
     {GOOD_BODIES, 0, "disks.1.x=3",
      "--set:1:7: error: `1` is not the number of an item; there are 1, counted from 0\ndisks.1.x=3\n      ^"},
+    {NO_DISKS "disks: [3]\n", 0, "disks.0.x=3",
+     "--set:1:9: error: `3` is a single value, it has no keys\ndisks.0.x=3\n        ^"},
+    {GOOD_BODIES "---\nlabel: b\nstep: {dt: 1 ms}\n", 0, "step.safty=3", /* the first it is applied to */
+     "--set:1:6: error: unknown key `step.safty` (did you mean `safety`?); allowed here: safety, dt, "
+     "allow_unstable\nstep.safty=3\n     ^"},
     {GOOD, 0, "contact=3", "--set:1:9: error: `contact` must be a mapping of keys and values\ncontact=3\n        ^"},
     {GOOD, 0, "shear.strain_end=\0110.1",
      "--set:1:18: error: tabs are not allowed; use spaces\nshear.strain_end= 0.1\n                 ^"},
@@ -270,6 +291,19 @@ static void limits(void **state) {
         strstr(st.text, "a.yaml:1:1: error: the text is longer than 1 MB; a case is a few kB\nkind: biaxial\n^"));
 }
 
+/* Two documents of 501 disks: the second inherits them. */
+static void too_many_disks(void **state) {
+    (void)state;
+    static char text[40000] = NO_DISKS "disks:\n";
+    tr_scene scene;
+    tr_status st;
+    for (int i = 0; i < 501; i++) strcat(text, "  - {radius: 1, x: 0, y: 0}\n");
+    strcat(text, "---\nlabel: b\n");
+    assert_false(fake_read(&scene, text, NULL, 0, &st));
+    assert_non_null(strstr(
+        st.text, "a.yaml:506:1: error: with this document there are 1002 disks, allowed is 1 to 1000 in all\n---\n^"));
+}
+
 /* A name of a file may be anything too, and a caret in a long line of wide characters still fits. */
 static void long_lines(void **state) {
     (void)state;
@@ -289,14 +323,128 @@ static void long_lines(void **state) {
     assert_string_equal(strrchr(st.text, '\n'), caret);
 }
 
-/* kind: contact. The message begins with `begins`. */
-/* kind: patch. */
+/* Cases whose messages begin with `begins`. */
+typedef struct begin_case {
+    const char *text, *begins;
+} begin_case;
+
+static void assert_messages(const begin_case *rows, size_t n) {
+    int failed = 0;
+    for (size_t i = 0; i < n; i++) {
+        tr_scene scene;
+        tr_status st;
+        if (fake_read(&scene, rows[i].text, NULL, 0, &st)) fail_msg("accepted: %s", rows[i].text);
+        assert_int_equal(st.code, TR_BAD_CASE);
+        const tr_scene empty = {0};
+        assert_memory_equal(&scene, &empty, sizeof scene);
+        if (strncmp(st.text, rows[i].begins, strlen(rows[i].begins)) == 0) continue;
+        print_message("case %zu says:\n%s\nexpected:\n%s\n\n", i, st.text, rows[i].begins);
+        failed++;
+    }
+    assert_int_equal(failed, 0);
+}
+
+static void bodies_messages(void **state) {
+    (void)state;
+    static const begin_case rows[] = {
+        {GOOD_BODIES "checks: [{exact: 1, tolerance: 1}]\n",
+         "a.yaml:5:10: error: `checks.0.what` is missing: what is measured\n"},
+        {GOOD_BODIES "checks: [{what: sped, exact: 1, tolerance: 1}]\n",
+         "a.yaml:5:17: error: `sped` is not a choice for `what` (did you mean `speed`?); allowed is sliding-velocity | "
+         "rolling-velocity | "},
+        {GOOD_BODIES "checks: [{what: speed, exact: 1}]\n",
+         "a.yaml:5:10: error: `checks.0.tolerance` is missing: largest |measured - exact| [m/s]\n"},
+        {GOOD_BODIES "checks: [{what: speed, tolerance: 1}]\n",
+         "a.yaml:5:10: error: `checks.0.exact` is missing: the closed form [m/s]\n"},
+        {GOOD_BODIES "checks: [{what: speed, exact: 1, tolerance: 0}]\n",
+         "a.yaml:5:45: error: `tolerance` is 0, allowed is 1e-30 to 1e+30 m/s\n"},
+        {GOOD_BODIES "checks: [{what: speed, exact: 1, tolerance: -0.1*exact}]\n",
+         "a.yaml:5:45: error: `tolerance` is -0.1, allowed is "},
+        {GOOD_BODIES "checks: [{what: speed, exact: 1 rad/s, tolerance: 1}]\n",
+         "a.yaml:5:31: error: wrong dimension: this is in s^-1 (`exact` is in m/s)\n"},
+        {GOOD_BODIES "checks: [{what: speed, exact: tolerance, tolerance: exact}]\n",
+         "a.yaml:5:53: error: these keys name each other in a circle: "},
+        {GOOD_BODIES "checks: [{what: speed, contact: wall0-0, exact: 1, tolerance: 1}]\n",
+         "a.yaml:5:24: error: `checks.0.contact` is not for `what: speed`; allowed here: what, disk, at, over, exact, "
+         "tolerance\n"},
+        {GOOD_BODIES "checks: [{what: creepage, contact: 0-1, disk: 0, exact: 1, tolerance: 1}]\n",
+         "a.yaml:5:41: error: `checks.0.disk` is not for `what: creepage`; allowed here: what, contact, at, over, "
+         "exact, tolerance\n"},
+        {GOOD_BODIES "checks: [{what: stop-time, at: 1 s, exact: 1, tolerance: 1}]\n",
+         "a.yaml:5:28: error: `checks.0.at` is not for `what: stop-time`; allowed here: what, disk, exact, "
+         "tolerance\n"},
+        {GOOD_BODIES "checks: [{what: slip-ends, contact: 0-1, over: 1 s, exact: 1, tolerance: 1}]\n",
+         "a.yaml:5:42: error: `checks.0.over` is not for `what: slip-ends`; allowed here: what, contact, exact, "
+         "tolerance\n"},
+        {GOOD_BODIES "checks: [{what: creepage, exact: 1, tolerance: 1}]\n",
+         "a.yaml:5:10: error: `checks.0.contact` is missing: on which contact"},
+        {GOOD_BODIES "checks: [{what: creepage, contact: [], exact: 1, tolerance: 1}]\n",
+         "a.yaml:5:10: error: `checks.0.contact` is missing: on which contact"},
+        {GOOD_BODIES "checks: [{what: creepage, contact: [wall0-0, wall1-0], exact: 1, tolerance: 1}]\n",
+         "a.yaml:5:46: error: more than 1 contact in `contact`\n"},
+        {GOOD_BODIES "checks: [{what: creepage, contact: most-mobilised, exact: 1, tolerance: 1}]\n",
+         "a.yaml:5:36: error: a check is of one contact, named as 0-1 (two disks) or wall0-1"},
+        {GOOD_BODIES "checks: [{what: creepage, contact: 0-1, exact: 1, tolerance: 1}]\n",
+         "a.yaml:5:36: error: there is no contact `0-1`: disks count from 0 to 0, walls are 0\n"},
+        {GOOD_BODIES "checks: [{what: creepage, contact: 3 mm, exact: 1, tolerance: 1}]\n",
+         "a.yaml:5:36: error: `3 mm` is no contact; name it "},
+        {GOOD_BODIES "checks: [{what: spin, disk: 1, exact: 1, tolerance: 1}]\n",
+         "a.yaml:5:29: error: there is no disk 1: disks count from 0 to 0\n"},
+        {GOOD_BODIES "checks: [{what: spin, disk: -1, exact: 1, tolerance: 1}]\n",
+         "a.yaml:5:29: error: `disk` is -1, allowed is 0 to 1000\n"},
+        {GOOD_BODIES "checks: [{what: spin, at: 1.5 s, exact: 1, tolerance: 1}]\n",
+         "a.yaml:5:27: error: `at` is 1.5 s, after `time_end`, which is 1 s\n"},
+        {GOOD_BODIES "checks: [{what: spin, at: 0.5, over: 0.6, exact: 1, tolerance: 1}]\n",
+         "a.yaml:5:38: error: `over` is 0.6 s, longer than the run is by then, 0.5 s\n"},
+        {GOOD_BODIES "checks: [{what: spin, exact: 1, tolerence: 1}]\n",
+         "a.yaml:5:33: error: unknown key `checks.0.tolerence` (did you mean `tolerance`?); allowed here: what, disk, "
+         "at, over, exact, tolerance\n"},
+        {GOOD_BODIES "checks: {what: spin}\n", "a.yaml:5:9: error: `checks` must be a list"},
+        {GOOD_BODIES "---\nkind: biaxial\n",
+         "a.yaml:6:1: error: `kind` must be the same in every document, and here it is "
+         "not as in the first\nkind: biaxial\n^"},
+        {GOOD_BODIES "---\nkind: [bodies]\n", "a.yaml:6:1: error: `kind` must be the same in every document"},
+        {GOOD_BODIES "---\nlabel: b\ntime_end: 2 s\n", "a.yaml:7:1: error: `time_end` must be the same in every "},
+        {GOOD_BODIES "---\noutput: {rows: 9}\n", "a.yaml:6:1: error: `output` must be the same in every document"},
+        {GOOD_BODIES "output: {frames: 3}\n---\noutput:\n", "a.yaml:7:1: error: `output` must be the same in every "},
+        {GOOD_BODIES "output: {paths: 0-1}\n---\nlabel: b\n", "a.yaml:5:17: error: there is no contact `0-1`"},
+        {GOOD_BODIES "---\nlesson: {title: b}\n", "a.yaml:6:1: error: `lesson` must be the same in every document"},
+        {GOOD_BODIES "---\n",
+         "a.yaml:5:1: error: a further document must be a mapping: the keys that it changes\n---\n^"},
+        {GOOD_BODIES "---\nlabel: b\n---\n- label: c\n", "a.yaml:7:1: error: a further document must be a mapping"},
+        {GOOD_BODIES "---\nlabel: b\n---\nwords\n", "a.yaml:7:1: error: a further document must be a mapping"},
+        {GOOD_BODIES "---\ncontact: {mew: 1}\n", "a.yaml:6:11: error: unknown key `contact.mew`"},
+        {GOOD_BODIES "---\ncontact: {mu: 1, mu: 1}\n",
+         "a.yaml:6:18: error: duplicate key `mu`; it is already given in line 6"},
+        {GOOD_BODIES "---\ncontact: {mu: 1 m}\n", "a.yaml:6:15: error: wrong dimension"},
+        {GOOD_BODIES "walls: [{nx: 0, ny: 1}]\nchecks: [{what: creepage, contact: wall0-0, exact: 1, tolerance: 1}]\n"
+                     "---\nlabel: b\n---\nwalls:\n", /* what is wrong there was said in the first */
+         "a.yaml:6:36: error: there is no contact `wall0-0`: disks count from 0 to 0, walls are 0\n"},
+        {GOOD_BODIES "checks: [{what: speed, exact: 1 m/s*contact.mu, tolerance: exact}]\n---\ncontact: {mu: 0}\n",
+         "a.yaml:5:60: error: `tolerance` is 0, allowed is "},
+        {GOOD_BODIES "---\ndisks: [{radius: 1, x: 0}]\n", "a.yaml:6:9: error: `disks.0.y` is missing: "},
+        {GOOD_BODIES "---\ncontact: 3\n", "a.yaml:6:10: error: `contact` must be a mapping"},
+        {GOOD_BODIES "---\nlabel: 1\n---\nlabel: 2\n---\nlabel: 3\n---\nlabel: 4\n---\nlabel: 5\n---\nlabel: 6\n",
+         "a.yaml:5:1: error: there are 7 documents (---), allowed is 1 to 6\n"},
+        {ROLL "---\nlabel: b\n", "a.yaml:5:1: error: a second document (---) is not allowed\n---\n^"},
+        {"---\n---\n", "a.yaml:2:1: error: `kind` is missing: "},
+        {GOOD "checks: []\n", "a.yaml:5:1: error: `checks` is not for `kind: biaxial`; allowed here: "},
+        {GOOD_BODIES "output: {still: 2*time_end}\n",
+         "a.yaml:5:17: error: `still` is 2 s, after `time_end`, which is 1 s\n"},
+        {NO_DISKS "disks: [{radius: 1, x: 0, y: 0, torque: 1 N, motion: driven}]\n",
+         "a.yaml:4:41: error: a torque does nothing to `disks.0`, whose motion keeps its spin: take free or pinned\n"},
+        {NO_DISKS "disks: [{radius: 1, x: 0, y: 0, torque: 1 N, motion: prescribed}]\n",
+         "a.yaml:4:41: error: a torque does nothing"},
+        {NO_DISKS "disks: [{radius: 1, x: 0, y: 0, torque: 1 N, motion: orbit}]\n",
+         "a.yaml:4:41: error: a torque does nothing"},
+    };
+    assert_messages(rows, sizeof rows / sizeof *rows);
+}
+
 static void patch_messages(void **state) {
     (void)state;
 #define IN "kind: patch\nbodies: {R1: 10 mm, R2: 10 mm, E: 70 GPa, nu: 0.3}\n"
-    static const struct {
-        const char *text, *begins;
-    } rows[] = {
+    static const begin_case rows[] = {
         {IN "path: [{force: 1}]\n", "a.yaml:1:1: error: `mu` is missing: friction coefficient [1]\n"},
         {IN "mu: 0\npath: [{force: 1}]\n", "a.yaml:3:5: error: `mu` is 0, allowed is 1e-09 to 100\n"},
         {IN "mu: 0.3\nelements: 2\npath: [{force: 1}]\n",
@@ -331,24 +479,12 @@ static void patch_messages(void **state) {
         {"kind: patch\nbodies: {R1: 1, R2: 1, E: 0, nu: 0}\nmu: 0.3\npath: [{force: 1}]\n",
          "a.yaml:2:27: error: `E` is 0, allowed is 0.001 to 1e+15 Pa\n"},
     };
-    int failed = 0;
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        tr_scene scene;
-        tr_status st;
-        if (fake_read(&scene, rows[i].text, NULL, 0, &st)) fail_msg("accepted: %s", rows[i].text);
-        assert_int_equal(st.code, TR_BAD_CASE);
-        if (strncmp(st.text, rows[i].begins, strlen(rows[i].begins)) == 0) continue;
-        print_message("case %zu says:\n%s\nexpected:\n%s\n\n", i, st.text, rows[i].begins);
-        failed++;
-    }
-    assert_int_equal(failed, 0);
+    assert_messages(rows, sizeof rows / sizeof *rows);
 }
 
 static void contact_messages(void **state) {
     (void)state;
-    static const struct {
-        const char *text, *begins;
-    } rows[] = {
+    static const begin_case rows[] = {
         {PAIR LAWS, "a.yaml:3:48: error: `path` has 0 items, allowed is 1 to 1000\n"},
         {PAIR LAWS "path: []\n", "a.yaml:4:7: error: `path` has 0 items, allowed is 1 to 1000\n"},
         {PAIR "laws: []\npath: [{force: 1}]\n", "a.yaml:3:7: error: `laws` has 0 items, allowed is 1 to 32\n"},
@@ -368,8 +504,9 @@ static void contact_messages(void **state) {
          "`slide`?); allowed here: force, slide, roll, steps, overlap, time\n"},
         {ROLL "E_star: 3 GPa\n", "a.yaml:5:1: error: `E_star` follows from other keys, bodies.E/(2*(1 - "
                                  "bodies.nu^2)), and cannot be given\n"},
-        {ROLL "seed: 3\n", "a.yaml:5:1: error: `seed` is not for `kind: contact`; allowed here: kind, bodies, laws, "
-                           "path\n"},
+        {ROLL "seed: 3\n",
+         "a.yaml:5:1: error: `seed` is not for `kind: contact`; allowed here: kind, lesson, bodies, laws, "
+         "path\n"},
         {ROLL "contact: {mu: 1}\n", "a.yaml:5:1: error: `contact` is not for `kind: contact`; allowed here: "},
         {PAIR "laws: [{friction: coulomb-spring}]\npath: [{force: 1}]\n",
          "a.yaml:3:8: error: `laws.0.k_t` is not given, and its default `0.5*k_n` fails: `k_n` belongs to the law "
@@ -427,24 +564,13 @@ static void contact_messages(void **state) {
         {"kind: contact\nbodies: {R1: 1, R2: 1, nu: 0}\n" LAWS "path: [{force: 1}]\n",
          "a.yaml:2:9: error: `bodies.E` is missing: Young's modulus of both [Pa]\n"},
     };
-    int failed = 0;
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        tr_scene scene;
-        tr_status st;
-        bool ok = fake_read(&scene, rows[i].text, NULL, 0, &st);
-        if (ok) fail_msg("accepted: %s", rows[i].text);
-        assert_int_equal(st.code, TR_BAD_CASE);
-        assert_null(scene.laws);
-        if (strncmp(st.text, rows[i].begins, strlen(rows[i].begins)) == 0) continue;
-        print_message("case %zu says:\n%s\nexpected:\n%s\n\n", i, st.text, rows[i].begins);
-        failed++;
-    }
-    assert_int_equal(failed, 0);
+    assert_messages(rows, sizeof rows / sizeof *rows);
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(messages), cmocka_unit_test(contact_messages),
-                                       cmocka_unit_test(patch_messages), cmocka_unit_test(limits),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(messages),       cmocka_unit_test(contact_messages),
+                                       cmocka_unit_test(patch_messages), cmocka_unit_test(bodies_messages),
+                                       cmocka_unit_test(limits),         cmocka_unit_test(too_many_disks),
                                        cmocka_unit_test(long_lines)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

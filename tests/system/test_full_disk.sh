@@ -26,6 +26,7 @@ whole() { # every file under a final name is complete of its kind
         *.png) ends_with "$file" 49454e44ae426082 || return 1 ;;
         *.svg) ends_with "$file" 3c2f7376673e0a0a || return 1 ;;
         *.mp4) ffmpeg -v error -xerror -i "$file" -f null - || return 1 ;;
+        *.gif) ends_with "$file" 3b || return 1 ;;
         *.json | *.yaml | *.gp) ends_with "$file" 0a || return 1 ;;
         *.csv) ends_with "$file" 0a && awk -F, 'NR == 1 { n = NF } NF != n { exit 1 }' "$file" || return 1 ;;
         esac

@@ -50,6 +50,7 @@ for signal in INT TERM; do
     check 'no part' no_parts "shear$signal"
     if command -v ffmpeg >/dev/null; then
         check 'the film so far plays' ffmpeg -v error -xerror -i "shear$signal/biaxial.mp4" -f null -
+        check 'so does its GIF' ffmpeg -v error -xerror -i "shear$signal/biaxial.gif" -f null -
     else
         skip 'the film so far plays' 'no ffmpeg'
     fi

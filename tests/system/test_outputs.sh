@@ -19,7 +19,8 @@ expected() {
     echo case.yaml
     [ "$1" = biaxial ] && command -v gnuplot >/dev/null && printf '%s\n' biaxial.svg biaxial.png
     [ "$1" = biaxial ] && command -v gnuplot >/dev/null && echo plot.gp
-    [ "$2" -gt 0 ] && command -v ffmpeg >/dev/null && echo "$1.mp4"
+    [ "$2" -gt 0 ] && command -v ffmpeg >/dev/null && printf '%s\n' "$1.mp4" "$1.gif"
+    [ "$1" = bodies ] && [ "$2" -gt 0 ] && echo still.png
     i=0
     while [ "$i" -lt "$2" ]; do
         printf 'frames/%05d.png\n' "$i"
@@ -59,7 +60,7 @@ check 'a row for each law and step' equals "$(($(wc -l <contact/contact.csv) - 1
 within() { awk -F, 'NR > 1 && !($8 >= 0 && $8 <= 1 + 1e-15) { print; bad = 1 } END { exit bad }' contact/contact.csv; }
 check 'friction within its bound' within
 check 'it has no frames' run_gives 2 "$cases/contact-reversal.yaml" -o no --frames 2
-check 'and says so' says stderr '`output` is not for `kind: contact`; allowed here: kind, bodies, laws, path'
+check 'and says so' says stderr '`output` is not for `kind: contact`; allowed here: kind, lesson, bodies, laws, path'
 check 'a law that depends on the rate is not guessed at' run_gives 2 "$cases/contact-reversal.yaml" -o no --check \
     --set laws.0.rolling=star-displacement-damping --set laws.0.damping=yes --set bodies.density=2700
 check 'it asks for the time' says stderr '`path.0.time` is missing: rolling law star-displacement-damping of `laws.0` depends on the rate'
@@ -80,7 +81,7 @@ patch_files() {
     printf '%s\n' case.yaml contact.csv
     command -v gnuplot >/dev/null && printf '%s\n' contact.png contact.svg
     printf '%s\n' frames/00000.png frames/00001.png frames/00002.png patch.csv
-    command -v ffmpeg >/dev/null && echo patch.mp4
+    command -v ffmpeg >/dev/null && printf '%s\n' patch.gif patch.mp4
     command -v gnuplot >/dev/null && echo plot.gp
     echo summary.json
 }
@@ -192,7 +193,7 @@ check 'foreign files are as they were' equals "$(cat forced/notes.txt forced/fra
 mine'
 check 'then none' run_gives 0 bodies.yaml -o forced --force
 check 'the foreign file in frames/ is still there' equals "$(ls forced/frames)" 7.png
-check 'a stale film is gone' not test -e forced/bodies.mp4
+check 'a stale film and GIF are gone' is_silent find forced -name 'bodies.*'
 rm forced/summary.json
 check 'an unfinished run is replaced without --force' run_gives 0 bodies.yaml -o forced
 mkdir own

@@ -41,7 +41,7 @@ check 'an ffmpeg that fails: code 3' equals $? 3
 check 'in its own words' says stderr 'no such encoder'
 check 'what is there is kept' says stderr 'kept in no_film'
 check 'no part' no_parts no_film
-check 'no film' not test -e no_film/bodies.mp4
+check 'no film' is_silent find no_film -name 'bodies.*'
 
 # ---- frames: 0 draws nothing: a font cache would show it ----
 mkdir home
@@ -56,7 +56,7 @@ plotted() {
 }
 filmed() {
     run_gives 0 bodies.yaml --frames 1 -o "$1" --force && test -s "$1/frames/00000.png" &&
-        { ! command -v ffmpeg >/dev/null || test -s "$1/bodies.mp4"; }
+        { ! command -v ffmpeg >/dev/null || { test -s "$1/bodies.mp4" && test -s "$1/bodies.gif"; }; }
 }
 named() { plotted "$1" && filmed "$1"; }
 for name in 'with space' "it's" 'say "x"' 'a:b' '-dash' 'back\slash' 'per%cent%s' 'dollar$(date)' 'a;b&c|d' 'new

@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: MIT */
+#include "cli/cli.h"
+
+#include <stddef.h>
+
+static volatile sig_atomic_t stop;
+
+static void on_signal(int number) {
+    (void)number;
+    stop = 1;
+}
+
+const volatile sig_atomic_t *tr_cli_stop(void) {
+    struct sigaction action = {.sa_handler = on_signal, .sa_flags = (int)SA_RESETHAND | SA_RESTART};
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+    return &stop;
+}

@@ -1,0 +1,216 @@
+/* SPDX-License-Identifier: MIT */
+/* A film of a few bodies: where everything goes.
+ *
+ *     title                                     time        cells: one stage, or a grid of the lanes, all to one scale
+ *     equation                                              panel: checks, bars, inset, chart. Where lanes have neither
+ *     cells                                    panel               chart nor checks the cells have its place
+ *     scale bar   legend                      slower        The layout depends on nothing that changes while the film
+ *     caption of a still                                    runs but contacts, so that nothing jumps. */
+#include "draw/patch_plot.h"
+#include "draw/show.h"
+
+#include <math.h>
+#include <stdio.h>
+
+enum { GAP = 14, LINE_H = 30, PAIR_H = 52, INSET_W = 240, INSET_H = 186, CHART_H = 178, BELOW_FLOOR = 36 };
+
+/* Where the lanes go. */
+typedef struct tr_grid {
+    tr_box box;
+    int rows, columns, lines; /* lines: of a label */
+    double scale;             /* 0: nothing can be shown */
+} tr_grid;
+
+typedef struct tr_cell {
+    tr_box label, stage, pair, inset; /* h 0: has no place */
+} tr_cell;
+
+/* A wide cell has its numbers beside the label and the inset at the right, a tall one has them below. */
+static tr_cell lay_cell(tr_box box, int lines, bool inset) {
+    tr_box in = {box.x + 10, box.y + 4, box.w - 20, box.h - 8};
+    double label = LINE_H * (lines > 1 ? 1.7 : 1);
+    tr_cell cell = {.label = {in.x, in.y, in.w, label}};
+    in.y += label, in.h -= label;
+    if (box.w >= 700) {
+        cell.pair = (tr_box){in.x + 0.3 * in.w, cell.label.y, 0.7 * in.w, LINE_H - 2};
+        cell.label.w = 0.3 * in.w - 16;
+    } else {
+        in.h -= PAIR_H;
+        cell.pair = (tr_box){in.x, in.y + in.h, in.w, PAIR_H};
+    }
+    if (inset && in.w > 1.4 * in.h && in.w > 2 * INSET_W && in.h >= 0.7 * INSET_H) {
+        in.w -= INSET_W + GAP;
+        cell.inset = (tr_box){in.x + in.w + GAP, in.y, INSET_W, in.h};
+    } else if (inset && in.w >= INSET_W && in.h >= 1.6 * INSET_H) {
+        in.h -= INSET_H + GAP;
+        cell.inset = (tr_box){in.x, in.y + in.h + GAP, in.w, INSET_H};
+    }
+    cell.stage = in;
+    return cell;
+}
+
+static tr_box grid_box(const tr_grid *grid, int i) {
+    int row = i / grid->columns, column = i % grid->columns;
+    double w = (grid->box.w + GAP) / grid->columns, h = (grid->box.h + GAP) / grid->rows;
+    return (tr_box){grid->box.x + column * w, grid->box.y + row * h, w - GAP, h - GAP};
+}
+
+static tr_cell cell_of(const tr_grid *grid, const tr_show *show, int i) {
+    if (show->n_lanes == 1) return (tr_cell){.stage = grid->box};
+    bool inset = false;
+    for (int k = 0; k < show->n_lanes; k++) inset |= show->lane[k].inset && show->lane[k].inset_pair;
+    return lay_cell(grid_box(grid, i), grid->lines, inset);
+}
+
+/* A floor has its hatching and its arcs below it. */
+static tr_box room_of(const tr_cell *cell, const tr_show_lane *lane) {
+    tr_box room = cell->stage;
+    if (lane->world->n_walls > 0) room.h -= BELOW_FLOOR;
+    return room;
+}
+
+static double scale_of(const tr_grid *grid, const tr_show *show) {
+    double scale = INFINITY;
+    for (int i = 0; i < show->n_lanes; i++) {
+        const tr_show_lane *l = &show->lane[i];
+        tr_cell cell = cell_of(grid, show, i);
+        double own = tr_frame_scale(room_of(&cell, l), l->x0, l->y0, l->x1, l->y1);
+        if (own > 0) scale = fmin(scale, own);
+    }
+    return isfinite(scale) ? scale : 0;
+}
+
+/* As many columns as make the pictures largest. */
+static tr_grid lay_grid(cairo_t *cr, const tr_show *show, tr_box box) {
+    tr_grid best = {.rows = 1, .columns = 1, .scale = -1};
+    for (int columns = 1; columns <= show->n_lanes; columns++) {
+        tr_grid grid = {.box = box, .rows = (show->n_lanes + columns - 1) / columns, .columns = columns, .lines = 1};
+        for (int i = 0; i < show->n_lanes; i++) {
+            const char *label = show->lane[i].label;
+            double room = cell_of(&grid, show, i).label.w - 26; /* beside the marker */
+            if (label && tr_pen_width(cr, (tr_text){.size = 20, .bold = true}, label) > room) grid.lines = 2;
+        }
+        grid.scale = scale_of(&grid, show);
+        if (grid.scale > best.scale) best = grid;
+    }
+    return best;
+}
+
+/* The contact enlarged, and a line to it while there is one. */
+static void draw_inset(const tr_stage *s, tr_box box) {
+    const tr_show_lane *lane = s->lane;
+    for (int i = 0; i < lane->n_records && lane->inset->P > 0; i++) {
+        const tr_record *r = &lane->record[i];
+        tr_point p = tr_stage_point(s, r->x, r->y);
+        bool inside = p.x > s->box.x && p.x < s->box.x + s->box.w && p.y > s->box.y && p.y < s->box.y + s->box.h;
+        if (r->a != lane->inset_a || r->b != lane->inset_b || !inside) continue;
+        tr_point to = box.x >= s->box.x + s->box.w ? (tr_point){box.x - 2, box.y + 0.5 * box.h}
+                                                   : (tr_point){box.x + 0.5 * box.w, box.y - 2};
+        tr_pen_hue(s->cr, TR_INK);
+        tr_pen_line(s->cr, p, to, 1.5);
+    }
+    tr_pen_text(s->cr, (tr_text){.x = box.x, .y = box.y + 18, .size = 18, .room = box.w},
+                "inside the contact, enlarged");
+    tr_draw_patch_inset(s->cr, box.x, box.y + 24, box.w, box.h - 24, lane->inset, lane->inset_pair);
+}
+
+static tr_stage draw_lane(cairo_t *cr, const tr_show *show, const tr_grid *grid, double range, int i) {
+    const tr_show_lane *lane = &show->lane[i];
+    tr_cell cell = cell_of(grid, show, i);
+    tr_stage stage = tr_stage_of(cr, lane, cell.stage, room_of(&cell, lane), grid->scale, range);
+    if (grid->scale > 0 && tr_frame_scale(stage.box, lane->x0, lane->y0, lane->x1, lane->y1) > 0) tr_stage_draw(&stage);
+    if (show->n_lanes == 1) return stage;
+    tr_box frame = grid_box(grid, i);
+    tr_pen_hue(cr, 0xC3C8CE);
+    cairo_set_line_width(cr, 2);
+    cairo_rectangle(cr, frame.x, frame.y, frame.w, frame.h);
+    cairo_stroke(cr);
+    tr_text at = {.x = cell.label.x, .y = cell.label.y + 24, .size = 22, .bold = true, .room = cell.label.w};
+    if (show->chart) {
+        tr_lane_marker(cr, (tr_point){at.x + 9, at.y - 8}, 9, show->n_lanes, i);
+        at.x += 26, at.room -= 26, at.hue = tr_lane_hue(show->n_lanes, i);
+    }
+    if (lane->label) tr_pen_paragraph(cr, at, grid->lines, lane->label, true);
+    tr_panel_pair(cr, cell.pair, lane, range);
+    if (cell.inset.h > 0 && lane->inset && lane->inset_pair) draw_inset(&stage, cell.inset);
+    return stage;
+}
+
+/* From the top: checks, bars, inset, chart. The chart gets what the others leave. */
+static void draw_panel(const tr_show *show, const tr_stage *stage, tr_box box) {
+    cairo_t *cr = stage->cr;
+    const bool one = show->n_lanes == 1, inset = one && stage->lane->inset && stage->lane->inset_pair;
+    double checks = fmin(tr_panel_checks_height(show->check, show->n_checks), 0.7 * box.h),
+           inside = inset ? INSET_H + GAP : 0;
+    if (checks > 0) tr_panel_checks(cr, (tr_box){box.x, box.y, box.w, checks}, show->check, show->n_checks);
+    box.y += checks, box.h -= checks;
+    double bars = box.h - inside - (show->chart ? CHART_H : 0);
+    if (show->chart) bars = fmin(bars, 0.62 * box.h);
+    if (one && tr_panel_bars(cr, (tr_box){box.x, box.y, box.w, bars}, stage->lane, stage->range))
+        box.y += bars, box.h -= bars;
+    if (inset) draw_inset(stage, (tr_box){box.x, box.y + GAP, box.w, INSET_H});
+    box.y += inside, box.h -= inside;
+    if (show->chart) tr_show_chart(cr, (tr_box){box.x, box.y + 6, box.w, box.h - 6}, show);
+}
+
+static void draw_footer(cairo_t *cr, const tr_show *show, double scale, double y) {
+    double x = scale > 0 ? tr_frame_scale_bar(cr, scale, y) + 40 : TR_EDGE;
+    bool trace = false;
+    for (int i = 0; i < show->n_lanes; i++) trace |= show->lane[i].trace && show->lane[i].n_trace > 0;
+    x += tr_pen_text(cr, (tr_text){.x = x, .y = y, .size = 20, .hue = TR_GREEN}, "velocity →") + 20;
+    x += tr_pen_text(cr, (tr_text){.x = x, .y = y, .size = 20, .hue = TR_PURPLE}, "spin ↺") + 20;
+    if (show->n_lanes > 1) { /* one lane has them in its panel */
+        x += tr_pen_text(cr, (tr_text){.x = x, .y = y, .size = 20}, "rolled") + 8;
+        x += tr_pen_text(cr, (tr_text){.x = x, .y = y, .size = 20, .bold = true, .hue = TR_BLUE}, "Δa") + 8;
+        x += tr_pen_text(cr, (tr_text){.x = x, .y = y, .size = 20, .bold = true, .hue = TR_VERMILLION}, "Δb") + 20;
+    }
+    if (trace) {
+        tr_pen_hue(cr, TR_WALL);
+        for (int k = 0; k < 6; k++) tr_pen_dot(cr, (tr_point){x + 2 + 7 * k, y - 6}, 1.75);
+        tr_pen_text(cr, (tr_text){.x = x + 46, .y = y, .size = 20}, "way of the contact");
+    }
+    double slower = show->slower, factor = slower > 1 ? slower : 1 / slower;
+    if (!(factor > 1.005) || !isfinite(factor)) return;
+    char text[64];
+    snprintf(text, sizeof text, factor < 100 ? "shown %.2g times %s" : "shown %.0f times %s", factor,
+             slower > 1 ? "slower" : "faster");
+    tr_pen_text(cr, (tr_text){.x = TR_PANEL_X + TR_PANEL_W, .y = y, .size = 20, .align = TR_RIGHT, .room = TR_PANEL_W},
+                text);
+}
+
+/* Returns its lower end. */
+static double draw_header(cairo_t *cr, const tr_show *show) {
+    char time[64];
+    tr_frame_time(time, sizeof time, show->time, show->time_end);
+    tr_frame_head(cr, &(tr_head){.title = show->title, .label = "time", .value = time});
+    double y = TR_EDGE + 48;
+    if (!show->equation) return y;
+    tr_pen_text(cr, (tr_text){.x = TR_EDGE, .y = y + 24, .size = 30, .room = TR_FRAME_WIDTH - 2 * TR_EDGE},
+                show->equation);
+    return y + 44;
+}
+
+void tr_draw_show(tr_canvas *canvas, const tr_show *given) {
+    cairo_t *cr = canvas->cr;
+    tr_show show = *given;
+    if (show.n_lanes > TR_MAX_LANES) show.n_lanes = TR_MAX_LANES;
+    double top = draw_header(cr, &show), bottom = TR_FRAME_HEIGHT - 20, range = show.range;
+    const double width = TR_FRAME_WIDTH - 2 * TR_EDGE;
+    if (show.n_lanes < 1) return;
+    for (int i = 0; i < show.n_lanes && !(given->range > 0 && given->range < 1e100); i++) {
+        const tr_show_lane *l = &show.lane[i];
+        range = fmax(i ? range : 0, tr_frame_range_bodies(l->world, l->record, l->n_records));
+    }
+    if (show.caption) {
+        tr_text at = {.x = TR_EDGE, .size = 25, .room = width};
+        bottom -= tr_pen_paragraph(cr, at, 3, show.caption, false) + 12;
+        at.y = bottom + 36;
+        tr_pen_paragraph(cr, at, 3, show.caption, true);
+    }
+    bool panel = show.n_lanes == 1 || show.chart || show.n_checks > 0;
+    tr_grid grid = lay_grid(cr, &show, (tr_box){TR_EDGE, top, panel ? TR_PICTURE_W : width, bottom - 44 - top});
+    draw_footer(cr, &show, grid.scale, bottom - 6);
+    for (int i = show.n_lanes - 1; i > 0; i--) draw_lane(cr, &show, &grid, range, i);
+    tr_stage stage = draw_lane(cr, &show, &grid, range, 0);
+    if (panel) draw_panel(&show, &stage, (tr_box){TR_PANEL_X, top, TR_PANEL_W, bottom - 44 - top});
+}

@@ -1,0 +1,205 @@
+/* SPDX-License-Identifier: MIT */
+/* Curves over time: their names with the values now, axes over the whole film, and where the closed form says that
+ * something happens. A lane is told by its colour and by the shape at the end of its curves; a second curve is dashed. */
+#include "draw/show.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static const unsigned lane_hue[] = {TR_BLUE, TR_VERMILLION, TR_GREEN, TR_PURPLE, TR_INK, 0x8F6400};
+
+/* Blue and vermillion are the arcs of the one lane. */
+unsigned tr_lane_hue(int n_lanes, int lane) {
+    return n_lanes == 1 ? (lane ? 0x8F6400 : TR_INK) : lane_hue[lane % 6];
+}
+
+/* A disk, then polygons. */
+void tr_lane_marker(cairo_t *cr, tr_point at, double size, int n_lanes, int lane) {
+    static const int corners[] = {0, 4, 3, 4, 3, 6};
+    static const double first[] = {0, M_PI / 4, M_PI / 2, 0, -M_PI / 2, 0};
+    tr_pen_hue(cr, tr_lane_hue(n_lanes, lane));
+    int n = corners[lane % 6];
+    if (n == 0) tr_pen_add_disk(cr, at, 0.85 * size);
+    for (int k = 0; k < n; k++) {
+        double angle = first[lane % 6] + 2 * M_PI * k / n;
+        cairo_line_to(cr, at.x + size * cos(angle), at.y - size * sin(angle));
+    }
+    if (n) cairo_close_path(cr);
+    cairo_fill(cr);
+}
+
+typedef struct tr_axes {
+    cairo_t *cr;
+    const tr_show *show;
+    tr_box plot;
+    double end, bottom, top; /* of time and of the values */
+    tr_unit unit;
+} tr_axes;
+
+static tr_point at_value(const tr_axes *a, double time, double value) {
+    return (tr_point){a->plot.x + a->plot.w * time / a->end,
+                      a->plot.y + a->plot.h * (a->top - value) / (a->top - a->bottom)};
+}
+
+static void choose_dash(cairo_t *cr, int curve) {
+    static const double dashes[] = {9, 6};
+    cairo_set_dash(cr, dashes, curve ? 2 : 0, 0);
+}
+
+/* Name of a curve and how it is drawn; returns where it ends. */
+static double draw_name(const tr_axes *a, double x, double y, int curve) {
+    const char *name = a->show->chart->name[curve];
+    tr_pen_hue(a->cr, a->show->n_lanes == 1 ? tr_lane_hue(1, curve) : TR_INK);
+    choose_dash(a->cr, curve);
+    tr_pen_line(a->cr, (tr_point){x, y - 7}, (tr_point){x + 40, y - 7}, 4);
+    choose_dash(a->cr, 0);
+    return x + 48 + tr_pen_text(a->cr, (tr_text){.x = x + 48, .y = y, .size = 22, .bold = true}, name) + 24;
+}
+
+static void draw_lane_name(const tr_axes *a, tr_box box, int lane) {
+    const tr_chart *chart = a->show->chart;
+    const double *value = chart->value[lane][0];
+    const int n_lanes = a->show->n_lanes;
+    double y = box.y + 0.78 * box.h, room = box.w - 28;
+    tr_lane_marker(a->cr, (tr_point){box.x + 10, y - 7}, 9, n_lanes, lane);
+    if (value && chart->n > 0 && !chart->name[1]) {
+        char number[32];
+        tr_frame_number(number, sizeof number, value[chart->n - 1], &a->unit, false);
+        tr_text at = {.x = box.x + box.w, .y = y, .size = 20, .align = TR_RIGHT, .room = 0.4 * room};
+        room -= tr_pen_text(a->cr, at, number) + 12;
+    }
+    const char *label = a->show->lane[lane].label;
+    tr_pen_text(
+        a->cr,
+        (tr_text){.x = box.x + 28, .y = y, .size = 20, .bold = true, .room = room, .hue = tr_lane_hue(n_lanes, lane)},
+        label ? label : "");
+}
+
+/* Round steps of about that part of a length; decimals that show one in this unit. */
+static double round_step(double length, double part, tr_unit *unit) {
+    double step = tr_frame_round_up(part * length);
+    unit->decimals = (int)fmax(0, ceil(-log10(step / unit->size) - 1e-9));
+    return step;
+}
+
+static void draw_axes(tr_axes *a) {
+    cairo_t *cr = a->cr;
+    const tr_box p = a->plot;
+    tr_unit time = tr_frame_unit(a->end, "s"), value = a->unit;
+    char number[32], label[64];
+    double step = round_step(a->top - a->bottom, a->plot.h < 200 ? 0.3 : 0.2, &value);
+    double first = ceil(a->bottom / step - 1e-9), last = floor(a->top / step + 1e-9);
+    for (int k = 0; k <= (int)(last - first); k++) {
+        double v = step * (first + k);
+        tr_point q = at_value(a, 0, v);
+        tr_pen_hue(cr, first + k == 0 ? TR_RIM : TR_DISK);
+        tr_pen_line(cr, q, (tr_point){p.x + p.w, q.y}, 2);
+        tr_frame_number(number, sizeof number, v, &value, false);
+        tr_pen_text(cr, (tr_text){.x = p.x - 8, .y = q.y + 6, .size = 18, .align = TR_RIGHT, .room = 60}, number);
+    }
+    tr_pen_hue(cr, TR_INK);
+    tr_pen_line(cr, (tr_point){p.x, p.y}, (tr_point){p.x, p.y + p.h}, 2);
+    tr_pen_line(cr, (tr_point){p.x, p.y + p.h}, (tr_point){p.x + p.w, p.y + p.h}, 2);
+    tr_text at = {.x = p.x + p.w, .y = p.y + p.h + 24, .size = 18, .align = TR_RIGHT};
+    snprintf(label, sizeof label, "t [%s]", time.name);
+    double free = p.x + p.w - tr_pen_text(cr, at, label) - 24;
+    step = round_step(a->end, 0.16, &time);
+    for (int k = 0; k <= (int)(a->end / step + 1e-9); k++) {
+        tr_point q = at_value(a, k * step, a->bottom);
+        tr_pen_hue(cr, TR_INK);
+        tr_pen_line(cr, q, (tr_point){q.x, q.y + 6}, 2);
+        at.x = q.x, at.align = TR_CENTRE;
+        tr_frame_number(number, sizeof number, k * step, &time, false);
+        if (q.x < free) tr_pen_text(cr, at, number);
+    }
+}
+
+static void draw_mark(const tr_axes *a, double x, double top, double bottom, unsigned hue) {
+    static const double dashes[] = {5, 5};
+    tr_pen_hue(a->cr, hue);
+    cairo_set_dash(a->cr, dashes, 2, 0);
+    tr_pen_line(a->cr, (tr_point){x, top}, (tr_point){x, bottom}, 2.5);
+    cairo_set_dash(a->cr, NULL, 0, 0);
+}
+
+/* What the marks are is said beside the only one; of many lanes after the names of the curves, at (x, y). */
+static void draw_marks(const tr_axes *a, double x, double y) {
+    const int n = a->show->n_lanes;
+    int marks = 0;
+    for (int i = 0; i < n; i++) {
+        double mark = a->show->chart->mark[i];
+        if (!(mark >= 0 && mark <= a->end)) continue;
+        double at = at_value(a, mark, a->top).x;
+        draw_mark(a, at, a->plot.y, a->plot.y + a->plot.h, n == 1 ? TR_FAINT : tr_lane_hue(n, i));
+        if (n == 1) x = at, y = a->plot.y + 16;
+        marks++;
+    }
+    if (marks == 0) return;
+    bool left = n == 1 && x > a->plot.x + 0.75 * a->plot.w;
+    if (n > 1) draw_mark(a, x, y - 18, y + 4, TR_FAINT);
+    tr_pen_text(
+        a->cr,
+        (tr_text){.x = x + (left ? -8 : 8), .y = y, .size = 20, .halo = true, .align = left ? TR_RIGHT : TR_LEFT},
+        "theory");
+}
+
+static void draw_curve(const tr_axes *a, int lane, int curve) {
+    const tr_chart *chart = a->show->chart;
+    const double *value = chart->value[lane][curve];
+    tr_point last = {NAN, NAN};
+    if (!value || !chart->time) return;
+    cairo_save(a->cr);
+    cairo_rectangle(a->cr, a->plot.x, a->plot.y - 2, a->plot.w, a->plot.h + 4);
+    cairo_clip(a->cr);
+    for (int i = 0; i < chart->n; i++) {
+        tr_point p = at_value(a, chart->time[i], value[i]);
+        bool seen = tr_frame_seen(p, 1);
+        if (!seen)
+            cairo_new_sub_path(a->cr);
+        else
+            cairo_line_to(a->cr, p.x, p.y), last = p;
+    }
+    tr_pen_hue(a->cr, tr_lane_hue(a->show->n_lanes, a->show->n_lanes == 1 ? curve : lane));
+    cairo_set_line_width(a->cr, 3.5);
+    cairo_set_line_join(a->cr, CAIRO_LINE_JOIN_BEVEL);
+    choose_dash(a->cr, curve);
+    cairo_stroke(a->cr);
+    choose_dash(a->cr, 0);
+    cairo_set_line_join(a->cr, CAIRO_LINE_JOIN_MITER);
+    cairo_restore(a->cr);
+    bool inside = last.x >= a->plot.x && last.x <= a->plot.x + a->plot.w + 1 && last.y >= a->plot.y - 2 &&
+                  last.y <= a->plot.y + a->plot.h + 2;
+    if (inside) tr_lane_marker(a->cr, last, 8, a->show->n_lanes, a->show->n_lanes == 1 ? curve : lane);
+}
+
+void tr_show_chart(cairo_t *cr, tr_box box, const tr_show *show) {
+    const tr_chart *chart = show->chart;
+    const double row = 28;
+    tr_axes a = {.cr = cr, .show = show, .end = show->time_end, .bottom = chart->bottom, .top = chart->top};
+    double rise = a.top - a.bottom;
+    if (!(rise > 1e-12 * fabs(a.top)) || !(rise > 1e-100) || !(fabs(a.top) < 1e100 && fabs(a.bottom) < 1e100)) {
+        double middle = fabs(a.top) < 1e100 ? a.top : 0, half = fmax(0.5 * fabs(middle), 1e-3);
+        a.top = middle + half, a.bottom = middle - half;
+    }
+    if (!(a.end > 1e-100 && a.end < 1e100)) a.end = 1;
+    bool number = chart->unit && chart->unit[0] == '1';
+    a.unit = (tr_unit){.size = 1, .decimals = 3};
+    if (!number) a.unit = tr_frame_unit(fmax(fabs(a.top), fabs(a.bottom)), chart->unit ? chart->unit : "");
+    double x = box.x, y = box.y;
+    for (int k = 0; k < 2; k++)
+        if (chart->name[k]) x = draw_name(&a, x, y + 20, k);
+    char text[24];
+    snprintf(text, sizeof text, "[%s]", a.unit.name);
+    if (!number)
+        tr_pen_text(cr, (tr_text){.x = box.x + box.w, .y = y + 20, .size = 20, .align = TR_RIGHT, .hue = TR_FAINT},
+                    text);
+    y += row;
+    for (int i = 0; i < show->n_lanes && show->n_lanes > 1; i++, y += row)
+        draw_lane_name(&a, (tr_box){box.x, y, box.w, row}, i);
+    a.plot = (tr_box){box.x + 68, y + 10, box.w - 80, box.y + box.h - 34 - y - 10};
+    if (!(a.plot.h > 40)) return;
+    draw_axes(&a);
+    draw_marks(&a, x, box.y + 20);
+    for (int i = 0; i < show->n_lanes; i++)
+        for (int k = 0; k < 2; k++) draw_curve(&a, i, k);
+}

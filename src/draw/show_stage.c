@@ -1,0 +1,213 @@
+/* SPDX-License-Identifier: MIT */
+/* The bodies of a lane: what the rims have rolled, and how fast centres and rims move.
+ *
+ * Arcs lie inside their own rim, so that the two of a contact never cover each other; those of a disk's next contact
+ * lie further in. An arc of a turn or more is a faint ring and what is left of it. Names come last and have a white rim:
+ * whatever moves below them, they are read. On a disk too small for a mark the mark is left out. */
+#include "draw/arc.h"
+#include "draw/show.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static const double badge = 14; /* radius of the disk's number */
+
+tr_stage tr_stage_of(cairo_t *cr, const tr_show_lane *lane, tr_box box, tr_box room, double scale, double range) {
+    double tilt = isfinite(lane->tilt) ? lane->tilt : 0;
+    return (tr_stage){cr,        lane,     tr_frame_map(room, scale, lane->x0, lane->y0, lane->x1, lane->y1),
+                      box,       range,    tilt,
+                      cos(tilt), sin(tilt)};
+}
+
+tr_point tr_stage_turned(const tr_stage *s, double x, double y) {
+    return (tr_point){x * s->cos - y * s->sin, x * s->sin + y * s->cos};
+}
+
+tr_point tr_stage_point(const tr_stage *s, double x, double y) {
+    tr_point p = tr_stage_turned(s, x, y);
+    return tr_frame_point(&s->map, p.x, p.y);
+}
+
+static bool place(const tr_stage *s, int disk, tr_point *p, double *radius) {
+    const double *x = s->lane->world->disks.pos + 4 * disk;
+    *p = tr_stage_point(s, x[0], x[1]);
+    *radius = x[3] * s->map.scale;
+    return tr_frame_seen(*p, *radius) && isfinite(x[2]);
+}
+
+/* At an angle of the turned plane. */
+static tr_point around(tr_point centre, double radius, double angle) {
+    return (tr_point){centre.x + radius * cos(angle), centre.y - radius * sin(angle)};
+}
+
+static double between(double low, double x, double high) {
+    return fmin(fmax(x, low), high);
+}
+
+static double arc_width(double r) {
+    return between(4, 0.11 * r, 9);
+}
+
+static void draw_disk(const tr_stage *s, int i) {
+    tr_point p;
+    double r;
+    if (!place(s, i, &p, &r)) return;
+    tr_pen_hue(s->cr, TR_WALL);
+    tr_pen_dot(s->cr, p, r);
+    tr_pen_hue(s->cr, TR_DISK);
+    tr_pen_dot(s->cr, p, r - between(1, 0.1 * r, 3));
+}
+
+/* One long tick shows the spin; the short ones the way along the rim. */
+static void draw_ticks(const tr_stage *s, int i) {
+    tr_point p;
+    double r, zero = s->lane->world->disks.pos[4 * i + 2] + s->tilt;
+    if (!place(s, i, &p, &r)) return;
+    tr_pen_hue(s->cr, TR_INK);
+    for (int k = 0; k < (r > 24 ? 12 : 1); k++) {
+        double angle = zero + k * M_PI / 6;
+        tr_pen_line(s->cr,
+                    around(p,
+                           (k        ? 0.9
+                            : r > 24 ? 0.62
+                                     : 0) *
+                               r,
+                           angle),
+                    around(p, 0.99 * r, angle), k ? 2 : between(2, 0.08 * r, 6));
+    }
+}
+
+static void label_arc(cairo_t *cr, tr_point at, const char *label, unsigned hue) {
+    tr_pen_text(
+        cr, (tr_text){.x = at.x, .y = at.y + 9, .size = 26, .bold = true, .halo = true, .align = TR_CENTRE, .hue = hue},
+        label);
+}
+
+static double spin_radius(double r) {
+    return fmax(0.36 * r, r > 30 ? badge + 7 : 0);
+}
+
+/* label NULL: the arc; else its label, inside the disk beside the arc's middle, where it fits. */
+static void draw_arc(const tr_stage *s, int disk, tr_arc arc, int depth, const char *label, unsigned hue) {
+    tr_point p;
+    double r;
+    if (!place(s, disk, &p, &r) || !isfinite(arc.sweep) || !isfinite(arc.from)) return;
+    double width = arc_width(r), radius = r - 3 - width * (0.5 + 1.4 * depth), rest = fmod(arc.sweep, 2 * M_PI);
+    double from = arc.from + s->tilt, inner = radius - 28;
+    if (radius < 2.5 * width) return;
+    if (label) {
+        if (inner > spin_radius(r) + 20 && depth == 0 && fabs(rest) * radius > 3) /* of more arcs the colour tells */
+            label_arc(s->cr, around(p, inner, from + rest / 2), label, hue);
+        return;
+    }
+    if (fabs(arc.sweep) >= 2 * M_PI) {
+        tr_rgb c = tr_palette_hue(hue);
+        cairo_set_source_rgba(s->cr, c.r, c.g, c.b, 0.3);
+        tr_pen_arc(s->cr, p, radius, from, 2 * M_PI, width, false);
+    }
+    tr_pen_hue(s->cr, hue);
+    tr_pen_arc(s->cr, p, radius, from, rest, width, false);
+    if (fabs(rest) * radius > 3) tr_pen_dot(s->cr, around(p, radius, from + rest), 0.8 * width);
+}
+
+static void draw_wall_arc(const tr_stage *s, const tr_record *r, const char *label) {
+    double x, y, under = 9, width = arc_width(r->R2 * s->map.scale);
+    tr_arc_wall(r, &x, &y);
+    tr_point p = tr_stage_point(s, r->x, r->y), q = tr_stage_point(s, x, y), n = tr_stage_turned(s, r->nx, r->ny);
+    if (!tr_frame_seen(p, 1) || !tr_frame_seen(q, 1) || !(hypot(q.x - p.x, q.y - p.y) > 3)) return;
+    p.x -= under * n.x, q.x -= under * n.x;
+    p.y += under * n.y, q.y += under * n.y;
+    tr_pen_hue(s->cr, TR_BLUE);
+    if (label) {
+        if (r->R2 * s->map.scale > 40)
+            label_arc(s->cr, (tr_point){(p.x + q.x) / 2 - 24 * n.x, (p.y + q.y) / 2 + 24 * n.y}, label, TR_BLUE);
+        return;
+    }
+    tr_pen_line(s->cr, p, q, width);
+    tr_pen_dot(s->cr, q, 0.8 * width);
+}
+
+static void draw_arcs(const tr_stage *s, bool labels) {
+    const tr_record *record = s->lane->record;
+    for (int i = 0; i < s->lane->n_records && i < TR_SHOW_CONTACTS; i++) {
+        const tr_record *r = &record[i];
+        int depth_a = 0, depth_b = 0; /* earlier contacts on the same disks */
+        for (int k = 0; k < i; k++) {
+            depth_a += record[k].a == r->a || record[k].b == r->a;
+            depth_b += record[k].a == r->b || record[k].b == r->b;
+        }
+        tr_arc a, b;
+        tr_arc_angles(r, &a, &b);
+        if (r->a >= 0)
+            draw_arc(s, r->a, a, depth_a, labels ? "Δa" : NULL, TR_BLUE);
+        else
+            draw_wall_arc(s, r, labels ? "Δa" : NULL);
+        draw_arc(s, r->b, b, depth_b, labels ? "Δb" : NULL, TR_VERMILLION);
+    }
+}
+
+static void draw_contacts(const tr_stage *s) {
+    for (int i = 0; i < s->lane->n_records; i++) {
+        const tr_record *r = &s->lane->record[i];
+        tr_point p = tr_stage_point(s, r->x, r->y);
+        double smaller = r->a >= 0 ? fmin(r->R1, r->R2) : r->R2, dot = between(3, 0.2 * smaller * s->map.scale, 8);
+        if (!tr_frame_seen(p, 1)) continue;
+        tr_pen_hue(s->cr, TR_WHITE);
+        tr_pen_dot(s->cr, p, dot);
+        tr_pen_hue(s->cr, TR_INK);
+        tr_pen_dot(s->cr, p, 0.7 * dot);
+    }
+}
+
+static double limited(double u) {
+    return isfinite(u) ? between(-1, u, 1) : 0;
+}
+
+/* Longest arrows: a straight one of a quarter of the stage, a curved one of 300 degrees. The straight one starts at the
+ * rim of the disk's number, which would hide a short one. */
+static void draw_motion(const tr_stage *s, int i) {
+    tr_point p;
+    double r;
+    if (!place(s, i, &p, &r)) return;
+    const double *v = s->lane->world->disks.vel + 4 * i, *x = s->lane->world->disks.pos + 4 * i;
+    bool number = r > 30;
+    tr_pen_hue(s->cr, TR_PURPLE);
+    tr_pen_arc(s->cr, p, spin_radius(r), M_PI / 2, limited(v[2] * x[3] / s->range) * 5 * M_PI / 3,
+               between(2, 0.06 * r, 4), true);
+    double longest = fmax(0.25 * fmin(s->box.w, s->box.h), 60);
+    double speed = hypot(v[0], v[1]), length = longest * limited(speed / s->range);
+    double from = number ? badge : 0;
+    tr_pen_hue(s->cr, TR_GREEN);
+    if (speed > 0 && length > 0) {
+        tr_point u = tr_stage_turned(s, v[0] / speed, v[1] / speed);
+        tr_pen_arrow(s->cr, (tr_point){p.x + from * u.x, p.y - from * u.y},
+                     (tr_point){p.x + (from + length) * u.x, p.y - (from + length) * u.y}, between(3, 0.1 * r, 5));
+    }
+    tr_pen_hue(s->cr, TR_INK);
+    tr_pen_dot(s->cr, p, number ? badge : between(1.5, 0.1 * r, 4));
+    if (!number) return;
+    tr_pen_hue(s->cr, TR_WHITE);
+    tr_pen_dot(s->cr, p, badge - 1.5);
+    char text[16];
+    snprintf(text, sizeof text, "%d", i);
+    tr_pen_text(s->cr,
+                (tr_text){.x = p.x, .y = p.y + 7, .size = 20, .bold = true, .align = TR_CENTRE, .room = 2 * badge - 6},
+                text);
+}
+
+void tr_stage_draw(const tr_stage *s) {
+    const int n = s->lane->world->disks.n;
+    cairo_save(s->cr);
+    cairo_rectangle(s->cr, s->box.x, s->box.y, s->box.w, s->box.h);
+    cairo_clip(s->cr);
+    tr_ground_walls(s);
+    for (int i = 0; i < n; i++) draw_disk(s, i);
+    tr_ground_trace(s);
+    for (int i = 0; i < n; i++) draw_ticks(s, i);
+    draw_arcs(s, false);
+    draw_contacts(s);
+    for (int i = 0; i < n; i++) draw_motion(s, i);
+    draw_arcs(s, true);
+    tr_ground_slope(s);
+    cairo_restore(s->cr);
+}

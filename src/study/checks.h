@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT */
+/* The numbers that a scene of bodies measures and compares with closed forms: `checks:` of a case.
+ *
+ * tr_scene_check says what each is. A mean over a time is that of the steps in it; an event is found between two steps by a
+ * straight line. The two thresholds are found by bisection: the scene runs on slopes of its own, from rest, until a slope
+ * that holds and one that does not are less than 0.05 degrees apart. */
+#ifndef TR_CHECKS_H
+#define TR_CHECKS_H
+
+#include "core/bodies.h"
+#include "core/record.h"
+#include "out/summary.h"
+#include "study/run.h"
+
+typedef struct tr_checks {
+    const tr_scene *scene;
+    struct tr_checking {
+        bool done;        /* value is final */
+        double value;     /* NaN: has not happened yet */
+        int n;            /* steps in the mean */
+        double sum, over; /* numerator, and of a creepage the denominator */
+        double before[3]; /* time, and value of the step before: of what an event watches; speed at the start */
+        double x, y;      /* where the disk started */
+        double way[2];    /* and which way */
+        double energy;    /* that it had */
+    } * item;
+} tr_checks;
+
+bool tr_checks_open(tr_checks *c, const tr_scene *scene, tr_status *st);
+void tr_checks_free(tr_checks *c);
+
+/* What is due at this time looks at contacts. */
+bool tr_checks_need_contacts(const tr_checks *c, double time, double dt);
+
+/* After every tr_step_forces; records: the touching contacts, if they are needed. */
+void tr_checks_step(tr_checks *c, const tr_bodies *b, const tr_record *records, int n);
+
+/* Finds the thresholds, each in a few dozen short runs. TR_INTERRUPTED: stopped. */
+bool tr_checks_thresholds(tr_checks *c, const tr_run_options *options, tr_status *st);
+
+/* Takes over what does not depend on the run: thresholds found before. */
+void tr_checks_adopt(tr_checks *c, const tr_checks *found);
+
+/* At the end: result has room for scene->n_checks. */
+void tr_checks_results(const tr_checks *c, tr_check_result *result);
+
+#endif
