@@ -24,7 +24,7 @@ LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o)
 CLI_OBJ  := $(CLI_SRC:%=$(BUILD)/%.o)
 TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all biaxial figures test install asan lint format clean help packages-% build-all run-tests
+.PHONY: all biaxial figures demos gallery test install asan lint format clean help packages-% build-all run-demos run-tests
 .SECONDARY:
 
 all: packages-build
@@ -39,6 +39,16 @@ biaxial: packages-build
 
 figures: packages-build
 	@$(MAKE) --no-print-directory build-all $(patsubst figures/%.sh,out/figures/%.png,$(wildcard figures/*.sh))
+
+# What fails does not keep the others away, and is tried again the next time.
+demos: packages-build
+	@$(MAKE) --no-print-directory -k run-demos
+
+# The page shows what failed too, so it is made in any case. A second make: only then the results are there to be listed.
+gallery: packages-gallery
+	@$(MAKE) --no-print-directory -k run-demos; code=$$?; \
+	    $(MAKE) --no-print-directory $(OUT)/gallery/index.html || code=$$?; exit $$code
+	@echo "page: $(OUT)/gallery/index.html, to take along: $(OUT)/gallery.zip (needs zip)"
 
 test: packages-test
 	@$(MAKE) --no-print-directory run-tests
@@ -68,6 +78,8 @@ help:
 	@echo 'make biaxial   install what is missing, build, run the biaxial test of cases/biaxial.yaml'
 	@echo 'make test      install what is missing, build, run all tests; last line: N passed, N failed'
 	@echo 'make figures   build, and draw figures/*.gp with their data into out/figures/ (needs gnuplot)'
+	@echo 'make demos     build, and run all cases but the biaxial tests into out/demos/, those that have changed'
+	@echo 'make gallery   make demos, and one page of them to show in a lecture: out/gallery/index.html'
 	@echo 'make           install what is missing, build ./trundle'
 	@echo 'make install   PREFIX=$(PREFIX) DESTDIR=$(DESTDIR): trundle and the cases'
 	@echo 'make asan      the tests under the address and undefined-behaviour sanitizers'
@@ -110,6 +122,16 @@ out/figures/%.png: figures/%.sh figures/%.gp $(wildcard figures/*.yaml) $(TRUNDL
 	    -e 'set terminal svg size 900,720 font "DejaVu Sans,17" enhanced rounded background "#ffffff"' figures/$*.gp
 	gnuplot -d -e 'csv = "$(@:.png=.csv)"; set output "$@"' \
 	    -e 'set terminal pngcairo size 1350,1080 font "DejaVu Sans,20" enhanced rounded linewidth 1.5' figures/$*.gp
+
+# A demonstration is a case; its mark, NAME.done, says that it ran without an error. DEMO_FLAGS: for trundle run.
+OUT   := out
+DEMOS := $(filter-out biaxial%,$(patsubst cases/%.yaml,%,$(wildcard cases/*.yaml)))
+run-demos: $(DEMOS:%=$(OUT)/demos/%.done)
+$(OUT)/demos/%.done: cases/%.yaml $(TRUNDLE)
+	$(abspath $(TRUNDLE)) run $< -o $(@:.done=) --force $(DEMO_FLAGS)
+	@touch $@
+$(OUT)/gallery/index.html: $(wildcard figures/gallery/* $(OUT)/demos/*/summary.json)
+	figures/gallery/build.sh $(OUT)/demos $(OUT)/gallery $(DEMOS)
 
 run-tests: $(TRUNDLE) $(TESTS)
 	@tests/run $(TRUNDLE) $(TESTS)
