@@ -16,6 +16,7 @@ static const struct command {
     {"laws", "list the contact laws, or tell all about one: trundle laws wang-spring", tr_cli_laws},
     {"bench", "measure the speed of the contact loop on a sheared sample", tr_cli_bench},
     {"measures", "rolling and sliding by every definition: a card of pure motions, or a CSV file", tr_cli_measures},
+    {"verify", "compare numbers with answers from elsewhere: exact, precision, stability", tr_cli_verify},
 };
 enum { N_COMMANDS = sizeof commands / sizeof *commands };
 

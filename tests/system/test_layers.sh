@@ -20,7 +20,8 @@ core: base scene laws broad
 out: base scene laws broad core
 draw: base scene laws patch core
 study: base scene laws patch core out draw
-cli: base scene laws patch broad core out draw study
+verify: base scene laws patch broad core out draw study
+cli: base scene laws patch broad core out draw study verify
 '
 sources() { find "$root/src" -name '*.[ch]' -o -name '*.cpp' -o -name '*.hpp' | sort; }
 
