@@ -4,6 +4,7 @@
 
 #include "base/version.h"
 #include <fcntl.h>
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -52,6 +53,7 @@ static int run(int argc, char **argv) {
 
 int main(int argc, char **argv) {
     open_standard_streams();
+    signal(SIGXFSZ, SIG_IGN); /* a limit on the size of files is an error of the write */
     int code = run(argc, argv);
     if (!fflush(stdout) && !ferror(stdout)) return code;
     perror("error: cannot write to standard output");

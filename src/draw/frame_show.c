@@ -150,7 +150,8 @@ static void draw_panel(const tr_show *show, const tr_stage *stage, tr_box box) {
         box.y += bars, box.h -= bars;
     if (inset) draw_inset(stage, (tr_box){box.x, box.y + GAP, box.w, INSET_H});
     box.y += inside, box.h -= inside;
-    if (show->chart) tr_show_chart(cr, (tr_box){box.x, box.y + 6, box.w, box.h - 6}, show);
+    if (show->chart && box.h > 0.75 * CHART_H) /* less than that is a legend without curves */
+        tr_show_chart(cr, (tr_box){box.x, box.y + 6, box.w, box.h - 6}, show);
 }
 
 static void draw_footer(cairo_t *cr, const tr_show *show, double scale, double y) {

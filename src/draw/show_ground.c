@@ -117,6 +117,7 @@ void tr_ground_slope(const tr_stage *s) {
     tr_pen_hue(s->cr, TR_INK);
     tr_pen_line(s->cr, p, (tr_point){p.x + way * level, p.y}, 2);
     tr_pen_arc(s->cr, p, radius, way > 0 ? 0 : M_PI, way * fabs(s->lane->slope), 3, false);
-    at.x = p.x + way * 0.6 * level, at.y = p.y + size;
+    double half = 0.5 * tr_pen_width(s->cr, at, number) + 4; /* clear of both sides */
+    at.x = fmin(fmax(p.x + way * 0.6 * level, s->box.x + half), s->box.x + s->box.w - half), at.y = p.y + size;
     tr_pen_text(s->cr, at, number);
 }

@@ -115,7 +115,7 @@ static void draw_notes(tr_rows *rows) {
     if (rows->lane->n_expect == 0) return;
     tr_pen_verdict(rows->cr, (tr_point){rows->box.x + 8, rows->y + 40}, 18, false);
     tr_pen_text(rows->cr, (tr_text){.x = rows->box.x + 24, .y = rows->y + 40, .size = 18, .room = rows->box.w - 24},
-                "differs from what this motion is");
+                "differs from Wang's");
 }
 
 bool tr_panel_bars(cairo_t *cr, tr_box box, const tr_show_lane *lane, double range) {

@@ -204,6 +204,16 @@ static bool check_check(const checker *c, const tr_scope *s) {
     if (check->contact.n && check->contact.item[0].a == check->contact.item[0].b)
         return tr_text_fail(c->r->st, mark_in(s, "contact"),
                             "a check is of one contact, named as 0-1 (two disks) or wall0-1 (wall 0, disk 1)");
+    bool threshold = check->what == TR_ROLLS_FROM || check->what == TR_SLIPS_FROM;
+    const char *lacks = scene->n_walls == 0                              ? "a wall"
+                        : scene->gravity.x == 0 && scene->gravity.y == 0 ? "gravity"
+                        : scene->disks[check->disk].motion != TR_FREE    ? "a free disk"
+                                                                         : NULL;
+    if (threshold && lacks)
+        return tr_text_fail(c->r->st, mark_in(s, "what"), "a slope to stand on takes %s, which is not there", lacks);
+    if (threshold && !(check->exact >= 0 && check->exact < 85 * M_PI / 180))
+        return tr_text_fail(c->r->st, mark_in(s, "exact"),
+                            "a slope is looked for from 0 to 85 degrees, and `exact` is %.4g rad", check->exact);
     return check_picks(c, s, "contact", &check->contact);
 }
 

@@ -150,11 +150,12 @@ typedef struct tr_scene_lesson {
     char title[64], equation[96], sentence[320], question[320], answer[640];
 } tr_scene_lesson;
 
-/* What a check measures, in the order of the choices of `what:`. Of a contact: the first five; of a disk: the others. */
+/* What a check measures, in the order of the choices of `what:`. Of a contact: up to TR_SLIP_STARTS; of a disk: the others. */
 typedef enum tr_what {
     TR_SLIDING_VELOCITY, /* V_s [m/s] */
     TR_ROLLING_VELOCITY, /* V_r by the scene's definition [m/s] */
     TR_CREEPAGE,         /* |V_s|/|(s1+s2)/2| [1] */
+    TR_POWER_LOST,       /* what the contact takes from the two bodies by friction and rolling [N m/s per m] */
     TR_SLIP_ENDS,        /* when V_s first vanishes [s] */
     TR_SLIP_STARTS,      /* when friction first is mu f_n [s] */
     TR_SPEED,            /* of the centre [m/s] */

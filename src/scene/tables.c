@@ -208,7 +208,8 @@ static const tr_param wall[] = {
 #define STRUCT tr_scene_check
 static const tr_param check[] = {
     {"what", TR_CHOICE, TR_DIM_NUMBER, "", NULL, 0, 0,
-     "sliding-velocity|rolling-velocity|creepage|slip-ends|slip-starts|speed|acceleration|stop-time|stop-distance|spin|"
+     "sliding-velocity|rolling-velocity|creepage|power-lost|slip-ends|slip-starts|speed|acceleration|stop-time|stop-"
+     "distance|spin|"
      "torque|power|energy-lost|rolls-from|slips-from",
      AT(what), "what is measured"},
 };
@@ -338,7 +339,7 @@ const tr_section tr_sections[] = {
     CHECKS(exact_length, 1 << TR_STOP_DISTANCE),
     CHECKS(exact_spin, 1 << TR_SPIN),
     CHECKS(exact_moment, 1 << TR_TORQUE),
-    CHECKS(exact_power, 1 << TR_POWER),
+    CHECKS(exact_power, 1 << TR_POWER | 1 << TR_POWER_LOST),
     CHECKS(exact_angle, 1 << TR_ROLLS_FROM | 1 << TR_SLIPS_FROM),
     SECTION("bodies", "the two in contact, of one material", TR_FOR_CONTACT, bodies_shape, .offset = 0),
     SECTION("bodies", "the two in contact, of one material", TR_FOR_PAIR, pair, .offset = AT(pair)),
@@ -385,30 +386,35 @@ tr_law_place tr_tables_slot(const tr_param_catalog *catalog, int i) {
 }
 #undef STRUCT
 
-bool tr_tables_choice(const tr_param_catalog *catalog, const tr_param *param, int i, tr_shown *name) {
-    for (int k = 0; k < TR_SLOTS && !param->choices; k++) {
-        tr_law_place slot = tr_tables_slot(catalog, k);
-        if (strcmp(param->key, slot.key) != 0) continue;
-        if (i < slot.n) *name = tr_text_show(slot.laws[i]->name);
-        return i < slot.n;
-    }
-    const char *p = param->choices ? param->choices : catalog->rolling_velocities;
+/* Choice i of "a|b|c". */
+static bool choice_of(const char *p, int i, tr_shown *name) {
     for (; i > 0; i--) {
         p = strchr(p, '|');
         if (!p) return false;
         p++;
     }
-    char text[sizeof name->text] = "";
-    strncat(text, p, strcspn(p, "|") < sizeof text ? strcspn(p, "|") : sizeof text - 1);
+    char text[sizeof name->text];
+    snprintf(text, sizeof text, "%.*s", (int)strcspn(p, "|"), p);
     *name = tr_text_show(text);
     return true;
+}
+
+bool tr_tables_choice(const tr_param_catalog *catalog, const tr_param *param, int i, tr_shown *name) {
+    if (param->choices) return choice_of(param->choices, i, name);
+    for (int k = 0; k < TR_SLOTS; k++) {
+        tr_law_place slot = tr_tables_slot(catalog, k);
+        if (strcmp(param->key, slot.key) != 0) continue;
+        if (i < slot.n) *name = tr_text_show(slot.laws[i]->name);
+        return i < slot.n;
+    }
+    return choice_of(catalog->rolling_velocities, i, name);
 }
 
 tr_scene_quantity tr_scene_what(int what, tr_shape shape) {
     tr_scene_quantity q = {0};
     tr_shown name;
     char part[TR_BY_SHAPE];
-    if (tr_tables_choice(NULL, &check[0], what, &name)) snprintf(q.name, sizeof q.name, "%.31s", name.text);
+    if (choice_of(check->choices, what, &name)) snprintf(q.name, sizeof q.name, "%.31s", name.text);
     for (int i = 0; i < tr_n_sections; i++) {
         const tr_section *t = &tr_sections[i];
         if (strcmp(t->key, "checks") == 0 && t->chosen & 1u << what && strcmp(t->params->key, "exact") == 0)

@@ -74,16 +74,27 @@ static bool crosses(item *it, double time, double watched, double *when) {
     return crossed;
 }
 
-static void look_at_contact(item *it, const tr_scene_check *check, double time, const tr_record *r) {
+/* What goes into a contact but for its normal force: -(forces and moments on the bodies times their velocities). */
+static double power_lost(const tr_bodies *b, const tr_record *r) {
+    const double *vel = b->world.disks.vel;
+    double w1 = r->a < 0 ? 0 : vel[4 * r->a + 2], w2 = vel[4 * r->b + 2];
+    return (r->f_t + r->f_r) * r->v_s - r->m1 * w1 - r->m2 * w2;
+}
+
+static void look_at_contact(item *it, const tr_scene_check *check, double time, const tr_bodies *b,
+                            const tr_record *r) {
     switch (check->what) {
     case TR_SLIDING_VELOCITY:
-        it->sum += r->v_s, it->over += 1;
+        it->sum += r->v_s, it->weight += 1;
         break;
     case TR_ROLLING_VELOCITY:
-        it->sum += r->v_r, it->over += 1;
+        it->sum += r->v_r, it->weight += 1;
         break;
     case TR_CREEPAGE:
-        it->sum += r->v_s, it->over += 0.5 * (r->s1 + r->s2);
+        it->sum += r->v_s, it->weight += 0.5 * (r->s1 + r->s2);
+        break;
+    case TR_POWER_LOST:
+        it->sum += power_lost(b, r), it->weight += 1;
         break;
     case TR_SLIP_ENDS:
         it->done = crosses(it, time, r->v_s, &it->value);
@@ -99,23 +110,23 @@ static void look_at_disk(item *it, const tr_scene_check *check, double time, con
     double speed = hypot(now->v[0], now->v[1]), when;
     switch (check->what) {
     case TR_SPEED:
-        it->sum += speed, it->over += 1;
+        it->sum += speed, it->weight += 1;
         break;
     case TR_ACCELERATION: /* from the first to the last of the window */
         if (it->n == 0) it->before[1] = time, it->before[2] = speed;
-        it->sum = speed - it->before[2], it->over = time - it->before[1];
+        it->sum = speed - it->before[2], it->weight = time - it->before[1];
         break;
     case TR_SPIN:
-        it->sum += now->v[2], it->over += 1;
+        it->sum += now->v[2], it->weight += 1;
         break;
     case TR_TORQUE:
-        it->sum += now->force[2], it->over += 1;
+        it->sum += now->force[2], it->weight += 1;
         break;
     case TR_POWER:
-        it->sum += now->force[0] * now->v[0] + now->force[1] * now->v[1] + now->force[2] * now->v[2], it->over += 1;
+        it->sum += now->force[0] * now->v[0] + now->force[1] * now->v[1] + now->force[2] * now->v[2], it->weight += 1;
         break;
     case TR_ENERGY_LOST:
-        it->sum += 1 - now->energy / it->energy, it->over += 1;
+        it->sum += 1 - now->energy / it->energy, it->weight += 1;
         break;
     case TR_STOP_TIME:
     case TR_STOP_DISTANCE:
@@ -145,12 +156,12 @@ void tr_checks_step(tr_checks *c, const tr_bodies *b, const tr_record *records, 
         const tr_record *r = of_contact(check) ? find(records, n, check->contact.item[0]) : NULL;
         if (of_contact(check) && !r) continue;
         if (r)
-            look_at_contact(it, check, time, r);
+            look_at_contact(it, check, time, b, r);
         else
             look_at_disk(it, check, time, &now);
         it->n++;
         if (is_event(check)) continue;
-        it->value = it->sum / it->over;
+        it->value = it->sum / it->weight;
         if (check->what == TR_CREEPAGE) it->value = fabs(it->value);
     }
 }
@@ -183,11 +194,16 @@ static void lean(tr_scene *scene, double slope) {
 
 /* How far the centre (rolls-from), or the contact in sliding (slips-from), goes in the second half of a run from rest. In
  * the first half the springs take up the load. */
-static bool creeps(tr_bodies *b, const tr_scene_check *check, double *distance, tr_status *st) {
+static bool creeps(tr_bodies *b, const tr_scene_check *check, double *distance, const tr_run_options *options,
+                   tr_status *st) {
     tr_record *records = NULL;
     int capacity = 0;
     double x = 0, y = 0, slid = 0;
     for (int64_t k = 0; k <= b->steps; k++) {
+        if (k % 256 == 0 && tr_run_stopped(options)) {
+            tr_status_fail(st, TR_INTERRUPTED, "stopped in the search of a threshold");
+            break;
+        }
         if (k) tr_bodies_advance(b);
         if (!tr_step_forces(&b->world, st)) break;
         const double *p = b->world.disks.pos + 4 * check->disk;
@@ -207,8 +223,10 @@ static bool creeps(tr_bodies *b, const tr_scene_check *check, double *distance, 
 
 /* Just above a threshold the acceleration is about g times the excess of the slope, 2/3 of it if it rolls: 0.01 degrees
  * give (3/8) (2/3) 1.7e-4 g T^2 in the second half of T. */
-static bool moves_on(const tr_scene *given, const tr_scene_check *check, double slope, bool *moves, tr_status *st) {
+static bool moves_on(const tr_scene *given, const tr_scene_check *check, double slope, bool *moves,
+                     const tr_run_options *options, tr_status *st) {
     tr_scene scene = *given;
+    scene.time_end *= 4;
     tr_scene_disk *disks = tr_alloc((size_t)scene.n_disks, sizeof *disks, st);
     tr_bodies *b = tr_alloc(1, sizeof *b, st);
     double distance = 0;
@@ -218,11 +236,11 @@ static bool moves_on(const tr_scene *given, const tr_scene_check *check, double 
         disks[check->disk].vx = disks[check->disk].vy = disks[check->disk].spin = 0;
         scene.disks = disks;
         lean(&scene, slope);
-        ok = tr_bodies_init(b, &scene, st) && creeps(b, check, &distance, st);
+        ok = tr_bodies_init(b, &scene, st) && creeps(b, check, &distance, options, st);
         if (ok) tr_bodies_free(b);
     }
     double g = hypot(given->gravity.x, given->gravity.y);
-    *moves = distance > 0.25 * 1.7e-4 * g * given->time_end * given->time_end;
+    *moves = distance > 0.25 * 1.7e-4 * g * scene.time_end * scene.time_end;
     free(disks), free(b);
     return ok;
 }
@@ -233,12 +251,11 @@ static bool bisect(const tr_scene *scene, const tr_scene_check *check, double *t
     double low = 0, high = 85 * degree;
     bool moves;
     *threshold = NAN;
-    if (!moves_on(scene, check, low, &moves, st) || moves) return !st->code;
-    if (!moves_on(scene, check, high, &moves, st) || !moves) return !st->code;
+    if (!moves_on(scene, check, low, &moves, options, st) || moves) return !st->code;
+    if (!moves_on(scene, check, high, &moves, options, st) || !moves) return !st->code;
     while (high - low > apart) {
         double middle = 0.5 * (low + high);
-        if (tr_run_stopped(options)) return tr_status_fail(st, TR_INTERRUPTED, "stopped in the search of a threshold");
-        if (!moves_on(scene, check, middle, &moves, st)) return false;
+        if (!moves_on(scene, check, middle, &moves, options, st)) return false;
         if (moves)
             high = middle;
         else

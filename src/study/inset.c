@@ -47,15 +47,19 @@ static bool step_to(tr_inset *inset, tr_path_point to, tr_status *st) {
     return tr_half_plane_step(inset->solver, &step, st);
 }
 
+static tr_path_point between(const tr_path_point *p, const tr_path_point *q, double part) {
+    return (tr_path_point){.u_slide = p->u_slide + part * (q->u_slide - p->u_slide),
+                           .u_roll = p->u_roll + part * (q->u_roll - p->u_roll),
+                           .P = p->P + part * (q->P - p->P)};
+}
+
 bool tr_inset_step(tr_inset *inset, tr_path_point now, tr_status *st) {
     const tr_path_point *at = &inset->at;
-    double h = 2 * tr_patch_a(&inset->pair, now.P) / ELEMENTS;
-    while (now.P > 0 && at->P > 0 && fabs(now.u_roll - at->u_roll) >= h * (1 - 1e-9)) { /* whole elements */
-        double part = fmin(h / fabs(now.u_roll - at->u_roll), 1);
-        tr_path_point to = {.u_slide = at->u_slide + part * (now.u_slide - at->u_slide),
-                            .u_roll = at->u_roll + part * (now.u_roll - at->u_roll),
-                            .P = at->P + part * (now.P - at->P)};
-        if (!step_to(inset, to, st)) return false;
+    const double h = 2 * tr_patch_a(&inset->pair, now.P) / ELEMENTS, most = 8 * ELEMENTS * h;
+    if (now.P > 0 && at->P > 0 && fabs(now.u_roll - at->u_roll) > most)
+        inset->at = between(at, &now, 1 - most / fabs(now.u_roll - at->u_roll)); /* what was there is rolled over */
+    while (now.P > 0 && at->P > 0 && fabs(now.u_roll - at->u_roll) >= h * (1 - 1e-9)) {
+        if (!step_to(inset, between(at, &now, fmin(h / fabs(now.u_roll - at->u_roll), 1)), st)) return false;
     }
     return !is_due(inset, now) || step_to(inset, now, st);
 }

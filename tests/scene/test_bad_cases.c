@@ -388,6 +388,13 @@ static void bodies_messages(void **state) {
          "a.yaml:5:36: error: there is no contact `0-1`: disks count from 0 to 0, walls are 0\n"},
         {GOOD_BODIES "checks: [{what: creepage, contact: 3 mm, exact: 1, tolerance: 1}]\n",
          "a.yaml:5:36: error: `3 mm` is no contact; name it "},
+        {GOOD_BODIES "checks: [{what: rolls-from, exact: 10 deg, tolerance: 1 deg}]\n",
+         "a.yaml:5:17: error: a slope to stand on takes a wall, which is not there\n"},
+        {GOOD_BODIES "walls: [{nx: 0, ny: 1}]\nchecks: [{what: slips-from, exact: 10 deg, tolerance: 1 deg}]\n",
+         "a.yaml:6:17: error: a slope to stand on takes gravity, which is not there\n"},
+        {GOOD_BODIES
+         "gravity: {y: -1}\nwalls: [{nx: 0, ny: 1}]\nchecks: [{what: slips-from, exact: 2, tolerance: 1}]\n",
+         "a.yaml:7:36: error: a slope is looked for from 0 to 85 degrees, and `exact` is 2 rad\n"},
         {GOOD_BODIES "checks: [{what: spin, disk: 1, exact: 1, tolerance: 1}]\n",
          "a.yaml:5:29: error: there is no disk 1: disks count from 0 to 0\n"},
         {GOOD_BODIES "checks: [{what: spin, disk: -1, exact: 1, tolerance: 1}]\n",

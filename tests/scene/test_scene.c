@@ -437,7 +437,7 @@ static void checks(void **state) {
 static bool read_check(tr_scene *s, int shape, int what, const char *name, const char *exact, const char *tolerance,
                        tr_status *st) {
     char text[200];
-    snprintf(text, sizeof text, "checks: [{what: %s, %sexact: 2%s, tolerance: 1%s}]\n", name,
+    snprintf(text, sizeof text, "checks: [{what: %s, %sexact: 1%s, tolerance: 1%s}]\n", name,
              what <= TR_SLIP_STARTS ? "contact: 0-1, " : "", exact, tolerance);
     return read_checks(s, shape ? "sphere" : "disk", text, st);
 }
@@ -451,6 +451,7 @@ static void checks_have_dimensions(void **state) {
         [TR_SLIDING_VELOCITY] = {"sliding-velocity", {" m/s", " m/s"}},
         [TR_ROLLING_VELOCITY] = {"rolling-velocity", {" m/s", " m/s"}},
         [TR_CREEPAGE] = {"creepage", {" rad", " rad"}},
+        [TR_POWER_LOST] = {"power-lost", {" N/s", " N*m/s"}},
         [TR_SLIP_ENDS] = {"slip-ends", {" s", " s"}},
         [TR_SLIP_STARTS] = {"slip-starts", {" s", " s"}},
         [TR_SPEED] = {"speed", {" m/s", " m/s"}},

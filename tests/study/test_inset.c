@@ -102,6 +102,18 @@ static void transient(void **state) {
     close_pair(&p);
 }
 
+/* Further than it can remember in one step: the steady state, at the cost of a few half-widths. */
+static void far_in_one_step(void **state) {
+    (void)state;
+    pair p;
+    const double R = R1 * R2 / (R1 + R2), a = sqrt(4 * P * R / (M_PI * E_star)), xi = 0.5 * mu * a / R;
+    assert_true(open_pair(&p, CREEP, "disk", (tr_scene_pick){0, 1}));
+    go(&p, (tr_path_point){.P = P}, 1);
+    go(&p, (tr_path_point){xi * 1e8 * a, 1e8 * a, P, 0}, 1);
+    assert_close(tr_half_plane_state(p.inset.solver)->Q / (mu * P), 0.75, 0, 0.03); /* as in carter */
+    close_pair(&p);
+}
+
 /* Sliding alone stays stuck in the middle, [Cattaneo]: c/a = sqrt(1 - q). Open: nothing, and nothing is remembered. */
 static void cattaneo_and_open(void **state) {
     (void)state;
@@ -188,8 +200,8 @@ const char *__lsan_default_suppressions(void) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(carter), cmocka_unit_test(transient),
-                                       cmocka_unit_test(cattaneo_and_open), cmocka_unit_test(who_has_one),
-                                       cmocka_unit_test(in_the_frame)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(carter),          cmocka_unit_test(transient),
+                                       cmocka_unit_test(far_in_one_step), cmocka_unit_test(cattaneo_and_open),
+                                       cmocka_unit_test(who_has_one),     cmocka_unit_test(in_the_frame)};
     return cmocka_run_group_tests_name("inset", tests, NULL, NULL);
 }
