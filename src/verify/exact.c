@@ -1,21 +1,78 @@
 /* SPDX-License-Identifier: MIT */
-/* Group `exact`: the registry. */
-#include "verify/verify.h"
+/* Group `exact`: the registry, and what its files share. */
+#include "verify/exact.h"
 
-static bool slip_to_roll(tr_verify *v, tr_status *st) {
-    static const char text[] =
-        "kind: bodies\ntime_end: 0.5 s\ngravity: {y: -9.81 m/s^2}\n"
-        "contact: {k_n: 100 MPa, damping_ratio: 0.3, friction: coulomb-spring, mu: 0.3, rolling: none}\n"
-        "disks: [{radius: 50 mm, density: 1200, x: 0, y: radius - density*pi*radius^2*9.81 m/s^2/contact.k_n, vx: 1}]\n"
-        "walls: [{nx: 0, ny: 1}]\n"
-        "checks:\n"
-        "  - {what: slip-ends, contact: wall0-0, exact: disks.0.vx/(3*contact.mu*9.81 m/s^2), tolerance: 0.005*exact}\n"
-        "  - {what: speed, over: 0.1 s, exact: 2/3*disks.0.vx, tolerance: 0.003*exact}\n";
-    return tr_verify_scene(v, text, NULL, 0, 2, "the contact is a spring that gives way by g/w_t", st);
+#include "laws/law.h"
+#include <string.h>
+
+bool tr_exact_row(tr_verify *v, const char *quantity, const char *unit, double computed, double reference,
+                  double tolerance, double order, const char *reason, tr_status *st) {
+    const tr_verify_row row = {quantity, unit, reference, computed, tolerance, reason, order, NULL};
+    return tr_verify_add(v, &row, st);
 }
 
+bool tr_exact_row_and(tr_verify *v, const char *quantity, const char *unit, double computed, double reference,
+                      double tolerance, const char *reason, const char *outcome, tr_status *st) {
+    const tr_verify_row row = {quantity, unit, reference, computed, tolerance, reason, NAN, outcome};
+    return tr_verify_add(v, &row, st);
+}
+
+const char *tr_exact_of(const tr_verify *v, const char *prefix) {
+    return v->now->name + strlen(prefix);
+}
+
+static bool drive(const tr_scene *scene, tr_contact_state *end, int n, tr_status *st) {
+    tr_contact *contact = tr_contact_new(scene, st);
+    tr_contact_state state[TR_MAX_LAWS];
+    bool ok = contact != NULL;
+    for (int64_t k = tr_contact_steps(scene); ok && k > 0; k--) {
+        ok = tr_contact_step(contact, state, st);
+        if (ok && state[0].segment < n) end[state[0].segment] = state[0];
+    }
+    tr_contact_free(contact);
+    return ok;
+}
+
+bool tr_exact_path(const char *text, tr_contact_state *end, int n, tr_scene_pair *pair, tr_status *st) {
+    tr_scene scene;
+    if (!tr_scene_read(&scene, "path", text, strlen(text), NULL, 0, tr_laws_catalog(), st)) return false;
+    if (pair) *pair = scene.pair;
+    bool ok = drive(&scene, end, n, st);
+    tr_scene_free(&scene);
+    return ok;
+}
+
+#define RIGID "rigid disk, I = m R^2/2"
+
 const tr_verification tr_verify_exact[] = {
-    {"exact", "slip-to-roll", "a ball thrown without spin", "rigid disk, I = m R^2/2",
-     "core/world.c: I = m R^2 in place of m R^2/2", slip_to_roll},
+    {"exact", "slip-to-roll", "a ball thrown without spin; stiffness 1, 4, 16", RIGID, "", tr_exact_slip_to_roll},
+    {"exact", "incline-none", "a disk on a slope without rolling resistance", RIGID, "", tr_exact_incline},
+    {"exact", "incline-wang-spring", "a disk on a slope: where it starts, slips; how fast", RIGID, "",
+     tr_exact_incline},
+    {"exact", "incline-bagi-kuhn-conjugate", "the same, half of the resistance a force", RIGID, "", tr_exact_incline},
+    {"exact", "incline-star-force-proportional", "the same", RIGID, "", tr_exact_incline},
+    {"exact", "incline-star-constant-torque", "the same, lever 2 R", RIGID, "", tr_exact_incline},
+    {"exact", "incline-star-displacement-damping", "the same, lever 2 R", RIGID, "", tr_exact_incline},
+    {"exact", "incline-no-spin", "mu_r > mu: slides without spinning", RIGID, "", tr_exact_no_spin},
+    {"exact", "coasting-wang-spring", "rolls to rest; the rolling spring takes x_c to load", RIGID, "",
+     tr_exact_coasting},
+    {"exact", "coasting-star-force-proportional", "rolls to rest", RIGID, "", tr_exact_coasting},
+    {"exact", "coasting-star-constant-torque", "rolls to rest, lever 2 R", RIGID, "", tr_exact_coasting},
+    {"exact", "coasting-star-displacement-damping", "rolls to rest, lever 2 R", RIGID, "", tr_exact_coasting},
+    {"exact", "impact-normal", "spring and dashpot; a contact ends when its force is 0",
+     "delta'' = -2 z w delta' - w^2 delta", "", tr_exact_impact},
+    {"exact", "impact-peak", "greatest force of elastic impacts", "energy; Hertz [Johnson1985 sec. 11.4]", "",
+     tr_exact_peak},
+    {"exact", "impact-sticking", "oblique, the contact never slips, undamped", "cos(pi sqrt(3 k_t/k_n))", "",
+     tr_exact_sticking},
+    {"exact", "impact-sliding", "oblique, the contact never sticks", "impulse mu (1 + e) m_eff v_n", "",
+     tr_exact_sliding},
+    {"exact", "impact-spin", "a spinning disk falls on a wall, never sticks", "impulse mu (1 + e) m_eff v_n", "",
+     tr_exact_spin},
+    {"exact", "impact-dissipation", "what the dashpot takes, by the ledger", "1 - e^2", "", tr_exact_damped},
+    {"exact", "impact-grazing", "no impact may gain energy: angles from steep to grazing", "energy", "",
+     tr_exact_grazing},
+    {"exact", "step-bound", "the bound on the step of chains and lattices", "largest eigenvalue of M^-1 K [Irons1971]",
+     "", tr_exact_step_bound},
 };
 const int tr_n_verify_exact = sizeof tr_verify_exact / sizeof *tr_verify_exact;

@@ -142,8 +142,7 @@ bool tr_verify_write(const tr_verify *v, const char *dir, tr_status *st) {
 
 /* ---- scenes ---- */
 
-/* The scene with its step divided; results of its checks. */
-static bool play(const tr_verify *v, const tr_scene *scene, int halvings, tr_check_result *result, tr_status *st) {
+bool tr_verify_play(const tr_verify *v, const tr_scene *scene, int halvings, tr_check_result *result, tr_status *st) {
     tr_scene fine = *scene;
     tr_play *p = tr_alloc(1, sizeof *p, st);
     if (!p) return false;
@@ -167,7 +166,7 @@ bool tr_verify_scene(tr_verify *v, const char *text, const char *const *sets, in
     bool ok = true;
     for (int h = 0; h <= halvings && ok; h++) {
         memcpy(coarse, result, sizeof coarse);
-        ok = play(v, &scene, h, result, st) && tr_verify_go_on(v, st);
+        ok = tr_verify_play(v, &scene, h, result, st) && tr_verify_go_on(v, st);
     }
     for (int k = 0; k < scene.n_checks && ok; k++) {
         const tr_scene_check *c = &scene.checks[k];

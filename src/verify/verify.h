@@ -14,6 +14,7 @@
 
 #include "base/status.h"
 #include "out/dir.h"
+#include "out/summary.h"
 #include <math.h>
 #include <signal.h>
 
@@ -62,6 +63,9 @@ bool tr_verify_go_on(const tr_verify *v, tr_status *st);
  * order. reason: of the tolerances. */
 bool tr_verify_scene(tr_verify *v, const char *text, const char *const *sets, int n_sets, int halvings,
                      const char *reason, tr_status *st);
+
+/* The results of the checks of a scene, its step divided by 2^halvings: result has room for scene->n_checks. */
+bool tr_verify_play(const tr_verify *v, const tr_scene *scene, int halvings, tr_check_result *result, tr_status *st);
 
 /* The registry: one table per group, in a file of its own. */
 extern const tr_verification tr_verify_exact[], tr_verify_precision[], tr_verify_stability[];
