@@ -93,19 +93,19 @@ typedef enum tr_curve {
 } tr_curve;
 
 /* Whose motion is given and whose follows from forces, in the order of the choices of `motion:`. */
-typedef enum tr_motion {
+typedef enum tr_motion_kind {
     TR_FREE,       /* forces move it */
     TR_PRESCRIBED, /* keeps vx, vy, spin */
     TR_ORBIT,      /* its centre circles about (orbit_x, orbit_y) at the rate `orbit`; keeps its spin */
     TR_PINNED,     /* its centre keeps vx, vy; moments turn it */
     TR_DRIVEN      /* keeps its spin; forces move its centre */
-} tr_motion;
+} tr_motion_kind;
 
 typedef struct tr_scene_disk {
     double radius, density, x, y, angle; /* [m kg/m^3 m m rad] */
     double vx, vy, spin;                 /* [m/s m/s rad/s] */
     double torque;                       /* applied, counter-clockwise [N] */
-    int motion;                          /* tr_motion */
+    int motion;                          /* tr_motion_kind */
     double orbit, orbit_x, orbit_y;      /* of TR_ORBIT [rad/s m m] */
 } tr_scene_disk;
 

@@ -27,5 +27,12 @@ tr_verify_this tr_exact_slip_to_roll, tr_exact_incline, tr_exact_no_spin, tr_exa
 tr_verify_this tr_exact_impact, tr_exact_peak, tr_exact_sticking, tr_exact_sliding, tr_exact_spin, tr_exact_damped,
     tr_exact_grazing; /* exact_impact.c */
 tr_verify_this tr_exact_step_bound;
+tr_verify_this tr_exact_dahlberg, tr_exact_cattaneo, tr_exact_kuhn_creep, tr_exact_vu_quoc; /* exact_paths.c */
+tr_verify_this tr_exact_contact_size, tr_exact_fig_5;                                       /* exact_kuhn.c */
+tr_verify_this tr_exact_patch_cattaneo, tr_exact_patch_carter, tr_exact_patch_kalker,
+    tr_exact_patch_brush;                            /* exact_patch.c */
+tr_verify_this tr_exact_claims, tr_exact_cycle;      /* exact_claims.c */
+tr_verify_this tr_exact_observers, tr_exact_errata;  /* exact_motions.c */
+tr_verify_this tr_exact_collision, tr_exact_packing; /* exact_balance.c */
 
 #endif
