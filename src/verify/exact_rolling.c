@@ -133,16 +133,15 @@ bool tr_exact_coasting(tr_verify *v, tr_status *st) {
     static const struct {
         const char *law, *more, *way; /* beyond 3 v0^2/(4 lever mu_r g) */
         double lever;
-    } brakes[] =
-        {
-            {"wang-spring", ", k_r: 1 kPa",
-             " + contact.mu_r*disks.0.density*pi*disks.0.radius^2*9.81 m/s^2/contact.k_r/2", 1},
-            {"star-force-proportional", "", "", 1},
-            {"star-constant-torque", "", "", 2},
-            {"star-displacement-damping", ", theta_max: 0.1", " + disks.0.radius*contact.theta_max/2", 2},
-        },
-      *b = brakes;
-    while (strcmp(b->law, tr_exact_of(v, "coasting-"))) b++;
+    } brakes[] = {
+        {"wang-spring", ", k_r: 1 kPa", " + contact.mu_r*disks.0.density*pi*disks.0.radius^2*9.81 m/s^2/contact.k_r/2",
+         1},
+        {"star-force-proportional", "", "", 1},
+        {"star-constant-torque", "", "", 2},
+        {"star-displacement-damping", ", theta_max: 0.1", " + disks.0.radius*contact.theta_max/2", 2},
+    };
+    int k = 0;
+    while (strcmp(brakes[k].law, tr_exact_of(v, "coasting-"))) k++;
     char text[1600];
     snprintf(
         text, sizeof text,
@@ -151,7 +150,7 @@ bool tr_exact_coasting(tr_verify *v, tr_status *st) {
         "disks: [{radius: 100 mm, density: 1200, x: 0, y: radius + density*pi*radius^2*gravity.y/contact.k_n, "
         "vx: 1 m/s, spin: -vx/radius}]\nwalls: [{nx: 0, ny: 1}]\nchecks:\n"
         "  - {what: stop-distance, exact: 3/(4*%g)*disks.0.vx^2/(contact.mu_r*9.81 m/s^2)%s, tolerance: 0.002*exact}\n",
-        b->law, b->more, b->lever, b->way);
+        brakes[k].law, brakes[k].more, brakes[k].lever, brakes[k].way);
     static const char *const quantity[] = {"way to rest"};
     return rows(v, text, quantity, NAN, "the brake loads friction's spring in a swing, which takes g/w_t, 0.1 % of v0",
                 st);
