@@ -5,11 +5,20 @@
 #include <math.h>
 #include <string.h>
 
-/* What a contact remembers of the step before; the last only where a rolling law has a force. */
-enum { F_D, F_T, M1, M2, E_NORMAL, E_FRICTION, E_ROLLING, F_R, N_HIST };
+/* What a contact remembers of the step before, one block for each law that is there; the last only where a rolling law has
+ * a force. */
+enum { F_D, E_NORMAL, N_NORMAL };
+enum { F_T, E_FRICTION, N_FRICTION };
+enum { M1, M2, E_ROLLING, F_R, N_ROLLING };
 
-static int histories(const tr_group *g) {
-    return g->slot[TR_ROLLING].law->needs & TR_GIVES_F_R ? N_HIST : F_R;
+/* Where the block of a slot begins; of TR_N_SLOTS: where all of them end. */
+static int block(const tr_group *g, int slot) {
+    const tr_law *rolling = g->slot[TR_ROLLING].law;
+    int at = g->ledger_sink.hist;
+    if (slot > TR_NORMAL) at += N_NORMAL;
+    if (slot > TR_FRICTION && g->slot[TR_FRICTION].law->step) at += N_FRICTION;
+    if (slot > TR_ROLLING && rolling->step) at += rolling->needs & TR_GIVES_F_R ? N_ROLLING : F_R;
+    return at;
 }
 
 static inline double cut(double value, double bound) {
@@ -48,32 +57,33 @@ TR_VECTOR static void take_store(int n, const double *restrict energy, double *r
  * k du >= c - q. Work - store = ½(s + c) du - (c² - q²)/2k >= [(s + c)(c - q) - (c - q)(c + q)]/2k = (c - q)(s - q)/2k.
  * For |q| <= c s = q: zero. For q > c, s = c: (c - q)²/2k. For q < -c, s = -c: (c - q)(-c - q)/2k > 0. Sticking: (Q -
  * q)(s - q)/2k, same cases. */
-static void step(tr_tile *tile, const tr_law_data *data) {
+TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict data) {
     const tr_sink *sink = data->par;
     tr_group *g = sink->group;
     tr_ledger *ledger = sink->ledger;
     const tr_slot *normal = &g->slot[TR_NORMAL], *friction = &g->slot[TR_FRICTION], *rolling = &g->slot[TR_ROLLING];
-    double *h[N_HIST], dt = tile->dt;
-    int n = tile->n;
-    for (int k = 0; k < histories(g); k++) h[k] = g->hist[sink->hist + k] + tile->first;
+    double **h = g->hist + block(g, TR_NORMAL), *f_d = h[F_D] + tile->first, dt = tile->dt;
+    int n = tile->n, first = tile->first;
     tr_lane energy, bound, lost, spin;
     tr_law_data law = tr_group_data(g, normal);
-    normal->law->state(tile, &law, h[E_NORMAL], bound);
+    normal->law->state(tile, &law, h[E_NORMAL] + first, bound);
     for (int i = 0; i < n; i++) {
-        double now = tile->f_n[i] - tile->f_elastic[i], before = h[F_D][i] * tile->v_n[i];
+        double now = tile->f_n[i] - tile->f_elastic[i], before = f_d[i] * tile->v_n[i];
         lost[i] = 0.5 * ((before > 0 ? before : 0) + now * tile->v_n[i]) * dt;
-        h[F_D][i] = now;
+        f_d[i] = now;
     }
     ledger->damped += sum(n, lost);
     if (friction->law->step) {
+        h = g->hist + block(g, TR_FRICTION);
         law = tr_group_data(g, friction);
         friction->law->state(tile, &law, energy, bound);
         memset(lost, 0, sizeof lost);
-        add_work(n, dt, tile->f_t, tile->v_s, bound, h[F_T], lost);
-        take_store(n, energy, h[E_FRICTION], lost);
+        add_work(n, dt, tile->f_t, tile->v_s, bound, h[F_T] + first, lost);
+        take_store(n, energy, h[E_FRICTION] + first, lost);
         ledger->friction += sum(n, lost);
     }
     if (rolling->law->step) {
+        h = g->hist + block(g, TR_ROLLING);
         law = tr_group_data(g, rolling);
         rolling->law->state(tile, &law, energy, bound);
         memset(lost, 0, sizeof lost);
@@ -82,24 +92,24 @@ static void step(tr_tile *tile, const tr_law_data *data) {
              * left is cut by as much as its moments. */
             tr_lane couple, no_bound;
             for (int i = 0; i < n; i++) {
-                double L = tile->r1[i] + tile->r2[i], cut_by = bound[i] / fabs(h[M2][i]);
+                double L = tile->r1[i] + tile->r2[i], cut_by = bound[i] / fabs(h[M2][first + i]);
                 couple[i] = tile->f_r[i] * L, spin[i] = tile->v_s[i] / L, no_bound[i] = INFINITY;
-                if (cut_by < 1) h[F_R][i] *= cut_by;
+                if (cut_by < 1) h[F_R][first + i] *= cut_by;
             }
-            add_work(n, dt, couple, spin, no_bound, h[F_R], lost);
+            add_work(n, dt, couple, spin, no_bound, h[F_R] + first, lost);
         }
         for (int i = 0; i < n; i++) spin[i] = -tile->w1[i];
-        add_work(n, dt, tile->m1, spin, bound, h[M1], lost);
+        add_work(n, dt, tile->m1, spin, bound, h[M1] + first, lost);
         for (int i = 0; i < n; i++) spin[i] = -tile->w2[i];
-        add_work(n, dt, tile->m2, spin, bound, h[M2], lost);
-        take_store(n, energy, h[E_ROLLING], lost);
+        add_work(n, dt, tile->m2, spin, bound, h[M2] + first, lost);
+        take_store(n, energy, h[E_ROLLING] + first, lost);
         ledger->rolling += sum(n, lost);
     }
 }
 
 void tr_ledger_attach(tr_group *group, tr_ledger *ledger) {
     group->ledger_sink.ledger = ledger;
-    tr_group_attach(group, &group->ledger_sink, "ledger", step, histories(group));
+    tr_group_attach(group, &group->ledger_sink, "ledger", step, block(group, TR_N_SLOTS) - group->ledger_sink.hist);
 }
 
 static void remember_walls(tr_world *world) {
@@ -125,6 +135,14 @@ void tr_ledger_walls(tr_world *world) {
     remember_walls(world);
 }
 
+/* Energy in the contacts of a group, in one slot. */
+static double stored(const tr_group *g, int slot, int which) {
+    double energy = 0;
+    if (!g->slot[slot].law->step) return 0;
+    for (int i = 0; i < g->n; i++) energy += g->hist[block(g, slot) + which][i];
+    return energy;
+}
+
 tr_energy tr_ledger_read(const tr_world *world) {
     const tr_ledger *ledger = world->ledger;
     const tr_disks *d = &world->disks;
@@ -136,11 +154,9 @@ tr_energy tr_ledger_read(const tr_world *world) {
             if (d->inv[k] > 0) e.kinetic += 0.5 * d->vel[k] * (d->vel[k] / d->inv[k] + world->dt * d->force[k]);
     for (int k = 0; k < 2; k++) {
         const tr_group *g = &world->group[k];
-        for (int i = 0; i < g->n; i++) {
-            e.elastic_normal += g->hist[g->ledger_sink.hist + E_NORMAL][i];
-            e.elastic_friction += g->hist[g->ledger_sink.hist + E_FRICTION][i];
-            e.elastic_rolling += g->hist[g->ledger_sink.hist + E_ROLLING][i];
-        }
+        e.elastic_normal += stored(g, TR_NORMAL, E_NORMAL);
+        e.elastic_friction += stored(g, TR_FRICTION, E_FRICTION);
+        e.elastic_rolling += stored(g, TR_ROLLING, E_ROLLING);
     }
     double now = e.kinetic + e.elastic_normal + e.elastic_friction + e.elastic_rolling;
     e.residual = ledger->start + ledger->work - now - (ledger->damped + ledger->friction + ledger->rolling);

@@ -152,11 +152,20 @@ tr_law_data tr_group_data(const tr_group *group, const tr_slot *slot) {
 }
 
 size_t tr_world_bytes(const tr_world *world) {
-    size_t bytes = sizeof *world + (size_t)world->disks.n * (4 * 4 + 1 + 4) * sizeof(double);
+    size_t bytes =
+        sizeof *world + sizeof *world->tile + (size_t)world->disks.n * ((4 * 4 + 1 + 4) * sizeof(double) + sizeof(int));
+    if (world->ledger) bytes += sizeof *world->ledger;
     if (world->disks.load) bytes += (size_t)world->disks.n * 4 * sizeof(double);
     for (int k = 0; k < 2; k++) {
         const tr_group *g = &world->group[k];
         bytes += (size_t)g->capacity * (4 * sizeof(int) + (size_t)(2 * g->n_hist + g->n_pair) * sizeof(double));
     }
     return bytes + (size_t)world->near.capacity * 2 * sizeof(int);
+}
+
+int tr_world_histories(const tr_world *world) {
+    int arrays = 0;
+    for (int k = 0; k < 2; k++)
+        for (int h = 0; h < TR_GROUP_HIST; h++) arrays += world->group[k].hist[h] != NULL;
+    return arrays;
 }

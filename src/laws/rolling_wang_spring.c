@@ -38,7 +38,8 @@ TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict d
     }
 }
 
-static void state(const tr_tile *tile, const tr_law_data *data, double *energy, double *bound) {
+TR_VECTOR static void state(const tr_tile *restrict tile, const tr_law_data *restrict data, double *restrict energy,
+                            double *restrict bound) {
     const par *p = data->par;
     for (int i = 0; i < tile->n; i++) {
         double T = data->hist[0][tile->first + i];
