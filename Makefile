@@ -24,7 +24,7 @@ LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o)
 CLI_OBJ  := $(CLI_SRC:%=$(BUILD)/%.o)
 TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all biaxial figures demos gallery test install asan lint format clean help packages-% build-all run-demos run-tests
+.PHONY: all biaxial figures features demos gallery test install asan lint format clean help packages-% build-all run-demos run-tests
 .SECONDARY:
 
 all: packages-build
@@ -39,6 +39,11 @@ biaxial: packages-build
 
 figures: packages-build
 	@$(MAKE) --no-print-directory build-all $(patsubst figures/%.sh,out/figures/%.png,$(wildcard figures/*.sh))
+
+# Measures anew each time; not among the figures, for it takes a quarter of a minute and is not the same from run to run.
+features: packages-build
+	@$(MAKE) --no-print-directory build-all
+	@$(MAKE) --no-print-directory --what-if figures/features.gp out/figures/features.png
 
 # What fails does not keep the others away, and is tried again the next time.
 demos: packages-build
@@ -78,6 +83,7 @@ help:
 	@echo 'make biaxial   install what is missing, build, run the biaxial test of cases/biaxial.yaml'
 	@echo 'make test      install what is missing, build, run all tests; last line: N passed, N failed'
 	@echo 'make figures   build, and draw figures/*.gp with their data into out/figures/ (needs gnuplot)'
+	@echo 'make features  build, measure what each feature and each law costs, and draw it: out/figures/features.png'
 	@echo 'make demos     build, and run all cases but the biaxial tests into out/demos/, those that have changed'
 	@echo 'make gallery   make demos, and one page of them to show in a lecture: out/gallery/index.html'
 	@echo 'make           install what is missing, build ./trundle'
@@ -115,13 +121,20 @@ $(BUILD)/tests/%: $(BUILD)/tests/%.c.o $(BUILD)/libtrundle.a
 $(BUILD)/tests/core/test_allocation: LDFLAGS += -Wl,--wrap=malloc,--wrap=aligned_alloc,--wrap=calloc,--wrap=realloc
 
 # A figure is figures/NAME.sh, which writes its data as CSV, and figures/NAME.gp, which draws them.
+define draw
+	gnuplot -d -e 'csv = "$(@:.png=.csv)"; set output "$(@:.png=.svg)"' \
+	    -e 'set terminal svg size 900,720 font "DejaVu Sans,17" enhanced rounded background "#ffffff"' $(@:out/%.png=%.gp)
+	gnuplot -d -e 'csv = "$(@:.png=.csv)"; set output "$@"' \
+	    -e 'set terminal pngcairo size 1350,1080 font "DejaVu Sans,20" enhanced rounded linewidth 1.5' $(@:out/%.png=%.gp)
+endef
 out/figures/%.png: figures/%.sh figures/%.gp $(wildcard figures/*.yaml) $(TRUNDLE)
 	@mkdir -p $(@D)
 	$< ./$(TRUNDLE) >$(@:.png=.csv)
-	gnuplot -d -e 'csv = "$(@:.png=.csv)"; set output "$(@:.png=.svg)"' \
-	    -e 'set terminal svg size 900,720 font "DejaVu Sans,17" enhanced rounded background "#ffffff"' figures/$*.gp
-	gnuplot -d -e 'csv = "$(@:.png=.csv)"; set output "$@"' \
-	    -e 'set terminal pngcairo size 1350,1080 font "DejaVu Sans,20" enhanced rounded linewidth 1.5' figures/$*.gp
+	$(draw)
+out/figures/features.png: figures/features.gp $(TRUNDLE)
+	@mkdir -p $(@D)
+	./$(TRUNDLE) bench --features -o $(@:.png=.csv)
+	$(draw)
 
 # A demonstration is a case; its mark, NAME.done, says that it ran without an error. DEMO_FLAGS: for trundle run.
 OUT   := out

@@ -3,7 +3,7 @@
 #ifndef TR_CLI_H
 #define TR_CLI_H
 
-#include "base/status.h"
+#include "out/dir.h"
 #include <signal.h>
 
 int tr_cli_run(int argc, char **argv);
@@ -14,6 +14,9 @@ int tr_cli_verify(int argc, char **argv);
 
 /* Prints the message of a failure on stderr and returns its code. */
 int tr_cli_fail(const tr_status *st);
+
+/* A file that the user has named by its path. */
+bool tr_cli_open(tr_file *file, const char *path, tr_status *st);
 
 /* Ctrl-C: from here on the first one asks to stop by setting the flag, a second one kills. */
 const volatile sig_atomic_t *tr_cli_stop(void);

@@ -9,7 +9,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 
 typedef struct arguments {
     const char *file, *out;
@@ -147,17 +146,8 @@ static bool card(FILE *csv, tr_status *st) {
 /* ---- where the table goes */
 
 static bool to_file(const arguments *a, tr_status *st) {
-    struct stat info;
-    const char *slash = strrchr(a->out, '/'), *name = slash ? slash + 1 : a->out;
-    char dir[TR_PATH];
-    if (!*name) return tr_status_fail(st, TR_FILE, "error: -o needs the name of a file, not \"%.200s\"", a->out);
-    /* The file is put in place by renaming, which would replace a device. */
-    if (!stat(a->out, &info) && !S_ISREG(info.st_mode))
-        return tr_status_fail(st, TR_FILE, "error: cannot write %.200s: not a regular file", a->out);
-    if (snprintf(dir, sizeof dir, "%.*s", slash ? (int)(slash - a->out) : 1, slash ? a->out : ".") >= (int)sizeof dir)
-        return tr_status_fail(st, TR_FILE, "error: path too long: %.200s...", a->out);
     tr_file file;
-    if (!tr_file_open(&file, dir, name, st)) return false;
+    if (!tr_cli_open(&file, a->out, st)) return false;
     if (a->file ? tr_measures_csv(a->file, file.stream, st) : card(file.stream, st)) return tr_file_commit(&file, st);
     tr_file_discard(&file);
     return false;

@@ -7,8 +7,9 @@
 #include "study/run_internal.h"
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
-enum { BLOCKS = 40, REPEATS = 25, MAX_STAGES = TR_MAX_PASSES + 2 };
+enum { BLOCKS = 100, REPEATS = 25, MAX_STAGES = TR_MAX_PASSES + 2 };
 
 static int compare(const void *a, const void *b) {
     double x = *(const double *)a, y = *(const double *)b;
@@ -20,6 +21,19 @@ static double quantile(double *values, int n, double q) {
     return values[(int)(q * (n - 1) + 0.5)];
 }
 
+static tr_quartiles quartiles(const double values[BLOCKS]) {
+    double sorted[BLOCKS];
+    memcpy(sorted, values, sizeof sorted);
+    return (tr_quartiles){quantile(sorted, BLOCKS, 0.25), quantile(sorted, BLOCKS, 0.5),
+                          quantile(sorted, BLOCKS, 0.75)};
+}
+
+static double clock_now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
 static void nothing(void *context, tr_group *group, tr_tile *tile) {
     (void)context, (void)group, (void)tile;
 }
@@ -28,7 +42,7 @@ static void nothing(void *context, tr_group *group, tr_tile *tile) {
  * is 0. */
 static double time_walk(tr_world *world, int n_pass, tr_status *st) {
     int whole[2] = {world->group[0].n_pass, world->group[1].n_pass}, calls = 300000 / (world->group[0].n + 100) + 1;
-    double start = tr_run_clock();
+    double start = clock_now();
     for (int c = 0; c < calls; c++) {
         if (n_pass < 0) {
             world->fresh = true;
@@ -41,7 +55,7 @@ static double time_walk(tr_world *world, int n_pass, tr_status *st) {
             world->group[k].n_pass = whole[k];
         }
     }
-    return (tr_run_clock() - start) / calls;
+    return (clock_now() - start) / calls;
 }
 
 /* What each pass adds: the walk is cut after every pass in turn, and the whole is repeated. */
@@ -73,60 +87,95 @@ static void time_passes(tr_world *world, tr_bench_report *r, tr_status *st) {
 
 typedef struct subject {
     tr_biaxial b;
-    double rate[BLOCKS], step[BLOCKS];
+    tr_view view; /* of its frames */
+    char title[TR_RUN_TITLE];
+    double ns[BLOCKS], step[BLOCKS], frame[BLOCKS]; /* per contact, per step [s], to draw one [s] */
 } subject;
 
-static bool prepare(subject *s, tr_scene *scene, tr_status *st) {
-    bool done = false;
+/* Takes the packing of the first. Histories stay: as long as it follows, those of its own laws. */
+static void follow(subject *s, const subject *first) {
+    tr_world *to = &s->b.world;
+    const tr_world *from = &first->b.world;
+    size_t bytes = (size_t)from->disks.n * 4 * sizeof(double);
+    memcpy(to->disks.pos, from->disks.pos, bytes), memcpy(to->disks.vel, from->disks.vel, bytes);
+    memcpy(to->wall, from->wall, sizeof to->wall);
+}
+
+static bool prepare(subject *s, const subject *first, const tr_scene *scene, tr_status *st) {
+    bool done = s != first;
     double unbalanced;
-    scene->output.energy = false;
     if (!tr_biaxial_init(&s->b, scene, st)) return false;
+    if (s != first) follow(s, first);
     while (!done)
         if (!tr_biaxial_compact(&s->b, 200, &unbalanced, &done, st)) return false;
     if (!tr_biaxial_begin_shear(&s->b, st)) return false;
-    if (s->b.shear_steps >= BLOCKS) return true;
-    return tr_status_fail(st, TR_BAD_CASE, "error: bench needs %d steps of shear or more, this case has %lld", BLOCKS,
-                          (long long)s->b.shear_steps);
+    s->view = tr_run_biaxial_view(&s->b, s->title);
+    if (s->b.shear_steps >= 2 * BLOCKS) return true;
+    return tr_status_fail(st, TR_BAD_CASE, "error: bench needs %d steps of shear or more, this case has %lld",
+                          2 * BLOCKS, (long long)s->b.shear_steps);
+}
+
+static bool draw(subject *s, int k, tr_canvas *canvas, tr_status *st) {
+    tr_record *records = NULL;
+    int capacity = 0;
+    double start = clock_now();
+    s->view.n_records = tr_record_all(&s->b.world, &records, &capacity, st);
+    s->view.record = records;
+    if (!st->code) tr_draw_biaxial(canvas, &s->view);
+    s->frame[k] = clock_now() - start;
+    free(records);
+    return st->code == TR_OK;
 }
 
 static bool run_block(subject *s, int k, tr_bench_report *r, tr_status *st) {
     tr_world *world = &s->b.world;
-    int64_t updates = world->contact_updates, steps = s->b.shear_steps / BLOCKS;
-    double start = tr_run_clock();
-    for (int64_t n = 0; n < steps; n++) {
+    int64_t updates = 0, steps = s->b.shear_steps / BLOCKS - 1;
+    double start = 0;
+    world->stale = true;
+    for (int64_t n = -1; n < steps; n++) { /* the first, with the new list that the new packing needs, does not count */
+        if (n == 0) start = clock_now(), updates = world->contact_updates;
         if (!tr_biaxial_forces(&s->b, st)) return false;
         tr_step_advance(world);
     }
-    double seconds = tr_run_clock() - start, touched = (double)(world->contact_updates - updates);
-    s->rate[k] = touched / seconds;
-    s->step[k] = 1e6 * seconds / (double)steps;
+    double seconds = clock_now() - start, touched = (double)(world->contact_updates - updates);
+    s->ns[k] = 1e9 * seconds / touched;
+    s->step[k] = seconds / (double)steps;
     r->touching += touched / (double)steps / BLOCKS;
     r->listed += (double)(world->group[0].n + world->group[1].n) / BLOCKS;
     return true;
 }
 
-static void report_subject(subject *s, tr_bench_report *r, tr_status *st) {
-    r->low = quantile(s->rate, BLOCKS, 0.25);
-    r->updates_per_s = quantile(s->rate, BLOCKS, 0.5);
-    r->high = quantile(s->rate, BLOCKS, 0.75);
-    r->us_per_step = quantile(s->step, BLOCKS, 0.5);
+static void report_subject(const subject *s, const subject *first, tr_bench_report *r) {
+    double share[BLOCKS];
+    for (int k = 0; k < BLOCKS; k++) share[k] = s->step[k] / first->step[k];
+    r->ns = quartiles(s->ns);
+    r->share = quartiles(share);
+    r->us_per_step = 1e6 * quartiles(s->step).median;
     r->bytes_per_disk = (double)tr_world_bytes(&s->b.world) / s->b.world.disks.n;
-    time_passes(&s->b.world, r, st);
+    r->histories = tr_world_histories(&s->b.world);
+    r->steps = (double)s->b.shear_steps;
+    if (s->b.scene->output.frames) r->frame = quartiles(s->frame);
 }
 
-bool tr_bench(const tr_scene *const *scenes, int n, tr_bench_report *reports, tr_status *st) {
+bool tr_bench(const tr_scene *const *scenes, int n, bool passes, tr_bench_report *reports, tr_status *st) {
     subject *s = tr_alloc((size_t)n, sizeof *s, st);
-    tr_scene *quiet = tr_alloc((size_t)n, sizeof *quiet, st); /* ledger off */
-    bool ok = s && quiet;
+    tr_canvas *canvas = NULL;
+    bool ok = s != NULL;
+    for (int i = 0; ok && i < n; i++)
+        if (scenes[i]->output.frames && !canvas) ok = (canvas = tr_canvas_create(st)) != NULL;
     for (int i = 0; ok && i < n; i++) {
         reports[i] = (tr_bench_report){0};
-        quiet[i] = *scenes[i];
-        ok = prepare(&s[i], &quiet[i], st);
+        ok = prepare(&s[i], &s[0], scenes[i], st);
     }
-    for (int k = 0; ok && k < BLOCKS; k++)
+    for (int k = 0; ok && k < BLOCKS; k++) {
+        for (int i = 1; i < n; i++) follow(&s[i], &s[0]);
         for (int i = 0; ok && i < n; i++) ok = run_block(&s[i], k, &reports[i], st);
-    for (int i = 0; ok && i < n; i++) report_subject(&s[i], &reports[i], st);
+        for (int i = 0; ok && i < n; i++)
+            if (scenes[i]->output.frames) ok = draw(&s[i], k, canvas, st);
+    }
+    for (int i = 0; ok && i < n; i++) report_subject(&s[i], &s[0], &reports[i]);
+    for (int i = 0; ok && passes && i < n; i++) time_passes(&s[i].b.world, &reports[i], st);
     for (int i = 0; s && i < n; i++) tr_biaxial_free(&s[i].b);
-    free(s), free(quiet);
+    tr_canvas_free(canvas), free(s);
     return ok && st->code == TR_OK;
 }

@@ -1,16 +1,25 @@
 /* SPDX-License-Identifier: MIT */
-/* How fast the contact loop is, on a sample that is really sheared: list renewals included, ledger and output off. */
+/* How fast the contact loop is, on a sample that is really sheared, list renewals included. Times are those of the thread: what
+ * else the machine does is not in them, but for the caches that it takes. */
 #ifndef TR_BENCH_H
 #define TR_BENCH_H
 
 #include "base/status.h"
 #include "scene/scene.h"
 
+typedef struct tr_quartiles {
+    double low, median, high; /* over blocks of the shear */
+} tr_quartiles;
+
 typedef struct tr_bench_report {
-    double updates_per_s, low, high; /* whole steps: median, lower and upper quartile over blocks of the shear [1/s] */
-    double us_per_step;              /* median [us] */
-    double touching, listed;         /* contacts, mean over the shear; in the list that the step walks */
+    tr_quartiles ns;         /* of a whole step, per touching contact [ns] */
+    tr_quartiles share;      /* time of a step over that of the first scene, in the same block [1] */
+    tr_quartiles frame;      /* drawing one, where the scene has frames [s] */
+    double us_per_step;      /* median [us] */
+    double steps;            /* of the shear */
+    double touching, listed; /* contacts, mean over the shear; in the list that the step walks */
     double bytes_per_disk;
+    int histories; /* arrays */
     int n_passes; /* each: ns per touching contact, on the last state of the shear; differences of interleaved medians */
     struct tr_bench_pass {
         char name[32];
@@ -18,8 +27,10 @@ typedef struct tr_bench_report {
     } pass[16];
 } tr_bench_report;
 
-/* Compacts and shears n scenes (kind: biaxial), a block of steps of each in turn, so that what else the machine does falls on all
- * alike. */
-bool tr_bench(const tr_scene *const *scenes, int n, tr_bench_report *reports, tr_status *st);
+/* Compacts and shears the first scene (kind: biaxial), a block of steps at a time. The others shear the same packing: before
+ * each block of the first they take positions and velocities from it, so that contacts differ by no more than one block
+ * makes. A block of each in turn, so that what the machine does falls on all alike. The first step of a block, which makes the
+ * list anew, does not count. passes: time each pass too. */
+bool tr_bench(const tr_scene *const *scenes, int n, bool passes, tr_bench_report *reports, tr_status *st);
 
 #endif

@@ -20,7 +20,7 @@ typedef struct test {
     tr_series series;
     tr_inset inset; /* of the frames: the inside of the first contact whose path is recorded */
     tr_view view;   /* what stays the same in every frame */
-    char title[96];
+    char title[TR_RUN_TITLE];
     bool rehearsal; /* a run without outputs, which finds: */
     tr_scene_pick most;
     double e0, unbalanced, stress_2_sum;
@@ -45,34 +45,34 @@ static bool compact(test *t, tr_status *st) {
 }
 
 /* Value of a law's parameter; 0 where the law has none of that name. */
-static double law_value(tr_slot *slot, const char *key) {
+static double law_value(const tr_slot *slot, const char *key) {
     const double *value = tr_law_value(slot->law, slot->par, key);
     return value ? *value : 0;
 }
 
-/* One scale and one box for the whole film. */
-static void set_view(test *t) {
-    const tr_wall *w = t->b.world.wall;
-    const tr_scene_sample *sample = &t->scene->sample;
+tr_view tr_run_biaxial_view(const tr_biaxial *b, char title[TR_RUN_TITLE]) {
+    const tr_wall *w = b->world.wall;
+    const tr_scene_sample *sample = &b->scene->sample;
+    tr_color color = (tr_color)b->scene->output.color;
     double width = w[TR_RIGHT_WALL].x - w[TR_LEFT_WALL].x, centre = 0.5 * (w[TR_RIGHT_WALL].x + w[TR_LEFT_WALL].x);
-    double spread = 0.5 * width * 1.1 / (1 - t->scene->shear.strain_end); /* volume kept, and a tenth of dilation */
+    double spread = 0.5 * width * 1.1 / (1 - b->scene->shear.strain_end); /* volume kept, and a tenth of dilation */
     double arrows = 0.08 * width;                                         /* room for those of the driven walls */
-    double d = sample->r_min + sample->r_max, speed = 4 * t->b.rate * d;
+    double d = sample->r_min + sample->r_max, speed = 4 * b->rate * d;
     tr_record typical = {.v_s = speed, .v_r = speed};
-    tr_slot *rolling = &t->b.world.group[0].slot[TR_ROLLING];
-    double mu = law_value(&t->b.world.group[0].slot[TR_FRICTION], "mu"), mu_r = law_value(rolling, "mu_r");
-    snprintf(t->title, sizeof t->title, "Biaxial test   μ = %g, μ_r = %g", mu, mu_r);
-    t->view = (tr_view){
-        .world = &t->b.world,
-        .color = (tr_color)t->scene->output.color,
-        .title = t->title,
-        .range = tr_frame_range(&typical, 1, (tr_color)t->scene->output.color),
-        .f_mean = 1.5 * t->scene->shear.lateral_pressure * d,
+    const tr_slot *slot = b->world.group[0].slot;
+    snprintf(title, TR_RUN_TITLE, "Biaxial test   μ = %g, μ_r = %g", law_value(&slot[TR_FRICTION], "mu"),
+             law_value(&slot[TR_ROLLING], "mu_r"));
+    return (tr_view){
+        .world = &b->world,
+        .color = color,
+        .title = title,
+        .range = tr_frame_range(&typical, 1, color),
+        .f_mean = 1.5 * b->scene->shear.lateral_pressure * d,
         .x0 = centre - spread,
         .x1 = centre + spread,
         .y0 = w[TR_BOTTOM_WALL].y - arrows,
         .y1 = w[TR_TOP_WALL].y + arrows,
-        .time_end = (double)t->b.shear_steps * t->b.world.dt,
+        .time_end = (double)b->shear_steps * b->world.dt,
     };
 }
 
@@ -238,7 +238,7 @@ bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run
         const tr_wall *w = t->b.world.wall;
         t->e0 =
             (w[TR_TOP_WALL].y - w[TR_BOTTOM_WALL].y) * (w[TR_RIGHT_WALL].x - w[TR_LEFT_WALL].x) / t->b.disk_area - 1;
-        set_view(t);
+        t->view = tr_run_biaxial_view(&t->b, t->title);
         double shear_started = tr_run_clock();
         t->b.world.contact_updates = 0;
         if (tr_outputs_open(&t->out, scene, options, "biaxial.mp4", t->b.shear_steps, report, st) &&

@@ -27,6 +27,10 @@ void tr_run_contact_row(tr_row *row, const tr_contact_state *s);
 bool tr_run_check_biaxial(const tr_scene *scene, tr_status *st);
 bool tr_run_check_bodies(const tr_scene *scene, tr_status *st);
 
+/* What stays the same in every frame of a biaxial test: one scale and one box for the whole film. */
+enum { TR_RUN_TITLE = 96 };
+tr_view tr_run_biaxial_view(const tr_biaxial *b, char title[TR_RUN_TITLE]);
+
 /* Makes the directory ready and writes the resolved case into it. */
 bool tr_run_open(const tr_scene *scene, const tr_run_options *options, tr_status *st);
 

@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: MIT */
+/* The two tables of trundle bench. */
+#ifndef TR_CLI_BENCH_H
+#define TR_CLI_BENCH_H
+
+#include "scene/scene.h"
+
+enum { TR_BENCH_SETS = 64 };
+typedef struct tr_bench_arguments {
+    const char *file, *out, *set[TR_BENCH_SETS];
+    int n_set;
+    bool features;
+} tr_bench_arguments;
+
+/* Reads its case with these further n settings. */
+bool tr_cli_bench_case(const tr_bench_arguments *a, const char *const *more, int n, tr_scene *scene, tr_status *st);
+bool tr_cli_bench_features(const tr_bench_arguments *a, tr_status *st);
+
+#endif
