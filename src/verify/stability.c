@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Group `stability`: the registry. */
-#include "verify/verify.h"
+#include "verify/stability.h"
 
-const tr_verification tr_verify_stability[1] = {{0}};
-const int tr_n_verify_stability = 0;
+const tr_verification tr_verify_stability[] = {
+    {"stability", "time-step", "1000 random networks from 0.1 to 2 times the exact limit", "[Irons1971]",
+     "core/timestep.c: share z/m of a body replaced by 1/m", tr_stability_networks},
+};
+const int tr_n_verify_stability = sizeof tr_verify_stability / sizeof *tr_verify_stability;
