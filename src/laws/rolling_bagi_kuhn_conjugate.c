@@ -68,10 +68,9 @@ static void state(const tr_tile *tile, const tr_law_data *data, double *energy, 
     }
 }
 
-/* L is at least R1 + R2 less three tenths of the smaller radius: core/ stops at larger overlaps. */
 static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *bodies) {
     const par *p = par_;
-    double R1 = bodies->R1, R2 = bodies->R2, L = R1 + R2 - 0.3 * (R1 < R2 ? R1 : R2);
+    double R1 = bodies->R1, R2 = bodies->R2, L = R1 + R2 - bodies->delta;
     return (tr_stiffness){
         .k = p->mu_r > 0 ? p->k_r : 0, .lever1 = R1 / 2, .lever2 = R2 / 2, .along = R1 > 0 ? (R1 - R2) / (2 * L) : 0.5};
 }
