@@ -3,13 +3,16 @@
 
 #include "base/alloc.h"
 #include "core/arcs.h"
+#include "core/contacts.h"
 #include "core/ledger.h"
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const double WIDE_SKIN = 0.30, THIN_SKIN = 0.05; /* of the mean diameter; the speed is flat around these */
+static const double WIDE_SKIN = 0.30,
+                    THIN_SKIN = 0.05; /* of the mean diameter; the speed is flat around these. Overlaps are
+    looked at when a body has moved half the thin skin: it is no thicker than what the smallest disk may overlap */
 
 bool tr_world_init(tr_world *world, int n, tr_shape shape, tr_status *st) {
     *world = (tr_world){.shape = shape, .disks.n = n, .group[1].walls = true, .stale = true};
@@ -104,10 +107,13 @@ static void group_choose(tr_group *g, const tr_scene_contact *contact, bool norm
 
 bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool smooth_walls, unsigned sinks,
                        tr_status *st) {
-    double sum = 0;
-    for (int i = 0; i < world->disks.n; i++) sum += 2 * world->disks.pos[4 * (size_t)i + 3];
+    double sum = 0, r_min = INFINITY;
+    for (int i = 0; i < world->disks.n; i++) {
+        double R = world->disks.pos[4 * (size_t)i + 3];
+        sum += 2 * R, r_min = fmin(r_min, R);
+    }
     world->wide_skin = WIDE_SKIN * sum / world->disks.n;
-    world->thin_skin = THIN_SKIN * sum / world->disks.n;
+    world->thin_skin = fmin(THIN_SKIN * sum / world->disks.n, TR_LARGEST_OVERLAP * r_min);
     world->rolling_velocity = contact->rolling_velocity;
     world->stale = world->fresh = true;
     world->near.n = 0;
