@@ -52,16 +52,30 @@ static void group_append(tr_world *world, tr_group *g, int a, int b, int *old) {
     tr_pair_bodies bodies = tr_world_pair(world, g, a, b);
     g->pair[0][i] = bodies.R1, g->pair[1][i] = bodies.R2;
     g->pair[2][i] = g->walls ? 1 : bodies.R1 / (bodies.R1 + bodies.R2);
-    for (int s = 0; s < TR_N_SLOTS; s++) {
-        const tr_slot *slot = &g->slot[s];
-        double constants[TR_MAX_PAIR];
-        if (!slot->law->n_pair) continue;
-        slot->law->pair(slot->par, &bodies, constants);
-        for (int k = 0; k < slot->law->n_pair; k++) g->pair[slot->pair + k][i] = constants[k];
-    }
     while (*old < g->old_n && (g->old_a[*old] < a || (g->old_a[*old] == a && g->old_b[*old] < b))) ++*old;
     bool known = *old < g->old_n && g->old_a[*old] == a && g->old_b[*old] == b;
     for (int k = 0; k < g->n_hist; k++) g->hist[k][i] = known ? g->old_hist[k][*old] : 0;
+}
+
+static void count_listed(const tr_world *world, int *z) {
+    const tr_group *g = world->group;
+    memset(z, 0, (size_t)world->disks.n * sizeof *z);
+    for (int i = 0; i < g[0].n; i++) z[g[0].a[i]]++, z[g[0].b[i]]++;
+    for (int i = 0; i < g[1].n; i++) z[g[1].b[i]]++;
+}
+
+/* When both lists are there: a body has no more contacts than are listed until the next refresh. */
+static void group_constants(const tr_world *world, tr_group *g, const int *z) {
+    for (int s = 0; s < TR_N_SLOTS; s++) {
+        const tr_slot *slot = &g->slot[s];
+        for (int i = 0; i < g->n && slot->law->n_pair; i++) {
+            double constants[TR_MAX_PAIR];
+            tr_pair_bodies bodies = tr_world_pair(world, g, g->a[i], g->b[i]);
+            bodies.z1 = g->walls ? 1 : z[g->a[i]], bodies.z2 = z[g->b[i]];
+            slot->law->pair(slot->par, &bodies, constants);
+            for (int k = 0; k < slot->law->n_pair; k++) g->pair[slot->pair + k][i] = constants[k];
+        }
+    }
 }
 
 static void copy_centres(const tr_disks *d, double *ref) {
@@ -185,6 +199,9 @@ bool tr_contacts_refresh(tr_world *world, tr_status *st) {
     bool enough = world->searches > 0 && world->near.n && 2 * moved + world->thin_skin <= world->wide_skin;
     if (!enough && !search(world, st)) return false;
     if (!refresh_disks(world, st) || !refresh_walls(world, st)) return false;
+    int *z = world->disks.coordination; /* which check_contacts counts anew */
+    count_listed(world, z);
+    for (int k = 0; k < 2; k++) group_constants(world, &world->group[k], z);
     copy_centres(&world->disks, world->thin_ref);
     world->wall_moved = 0;
     world->stale = false;

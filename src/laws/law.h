@@ -73,12 +73,14 @@ typedef struct tr_law_data {
 typedef void tr_pass_run(tr_tile *tile, const tr_law_data *data);
 
 /* Two bodies that may touch: radii [m] (R1 = 0 at a wall), masses [kg/m] and moments of inertia [kg m] (a wall's are
- * infinite). held: the spin of 1, of 2 is prescribed, no moment changes it. For tr_law.stiffness of friction and
+ * infinite). held: the spin of 1, of 2 is prescribed, no moment changes it. z: contacts that 1 and 2 may have, 0 counts as 1;
+ * for tr_law.pair alone. For tr_law.stiffness of friction and
  * rolling laws also the greatest overlap to expect [m], with the normal force [N/m] and stiffness [Pa] there. */
 typedef struct tr_pair_bodies {
     double R1, R2, m1, m2, I1, I2;
     double delta, f_n, k_n;
     bool held1, held2;
+    int z1, z2;
 } tr_pair_bodies;
 
 /* 1/(1/R1 + 1/R2) [m], the same of masses; of a wall, and of infinite mass, the other's. */

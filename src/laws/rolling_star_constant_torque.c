@@ -6,8 +6,9 @@
  *
  * A sign law chatters at w_rel = 0. So M1 = clamp(-I_red w*_rel/dt, -cap, +cap), 1/I_red = 1/I1 + 1/I2: what stops the
  * relative spin within this step where the cap allows it. w* is the spin that the step would end with under this
- * contact's friction torque alone, w*_1 = w1 - dt r1 Q/I1 and w*_2 = w2 - dt r2 Q/I2. Several contacts of one body do
- * not know of each other: together they may turn its spin over and over, which the limiter is there to prevent.
+ * contact's friction torque alone, w*_1 = w1 - dt r1 Q/I1 and w*_2 = w2 - dt r2 Q/I2. Several contacts of one body do not
+ * know of each other, and together would turn its spin over and over. So each stops the share of the inertias that it would
+ * have if a body's z contacts had I/z each: I_red w_rel becomes w_rel/(z1/I1 + z2/I2).
  *
  * differs: R_eq, "the harmonic mean of the radii", is 2 R1R2/(R1+R2) literally and R1R2/(R1+R2) in common use: a
  * choice. The limiter's "angular momentum" is read as a moment, "the lesser of the two rotations" as the lesser of I
@@ -47,6 +48,8 @@ static void pair(const void *par_, const tr_pair_bodies *bodies, double *constan
     constants[0] = both ? 1e-200 : bodies->held1 || bodies->R1 == 0 ? 0 : 1 / bodies->I1;
     constants[1] = both ? 1e-200 : bodies->held2 ? 0 : 1 / bodies->I2;
     constants[2] = both ? 0 : 1;
+    int z1 = bodies->z1 > 1 ? bodies->z1 : 1, z2 = bodies->z2 > 1 ? bodies->z2 : 1;
+    constants[3] = (constants[0] + constants[1]) / (z1 * constants[0] + z2 * constants[1]);
 }
 
 TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict data) {
@@ -56,11 +59,11 @@ TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict d
     const double limited = p->limiter ? p->limiter_factor * per_dt : 0, unlimited = p->limiter && dt > 0 ? 0 : huge;
     const double *restrict R2 = tile->R2, *restrict g1 = tile->g1;
     const double *restrict J1 = data->pair[0] + tile->first, *restrict J2 = data->pair[1] + tile->first;
-    const double *restrict share = data->pair[2] + tile->first;
+    const double *restrict share = data->pair[2] + tile->first, *restrict part = data->pair[3] + tile->first;
     double *restrict M = data->hist[0] + tile->first;
     for (int i = 0; i < tile->n; i++) {
         double w1 = tile->w1[i], w2 = tile->w2[i], cap = strength * tile->f_n[i] * (g1[i] * R2[i]);
-        double turn = w1 - w2 - share[i] * dt * (tile->r1[i] * J1[i] - tile->r2[i] * J2[i]) * tile->f_t[i];
+        double turn = part[i] * (w1 - w2) - share[i] * dt * (tile->r1[i] * J1[i] - tile->r2[i] * J2[i]) * tile->f_t[i];
         double L1 = J1[i] > 0 ? fabs(w1) / J1[i] : huge, L2 = J2[i] > 0 ? fabs(w2) / J2[i] : huge;
         double limit = limited * (L1 < L2 ? L1 : L2) + unlimited, trial = keep * M[i] - per_dt * turn / (J1[i] + J2[i]);
         cap = cap < limit ? cap : limit;
@@ -97,7 +100,7 @@ const tr_law tr_rolling_star_constant_torque = {
         "and with it the law is neither rate-independent nor objective.",
     .claims = TR_RATE_INDEPENDENT | TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
     .n_hist = 1,
-    .n_pair = 3,
+    .n_pair = 4,
     .pair = pair,
     .step = step,
     .state = state,

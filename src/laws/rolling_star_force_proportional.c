@@ -9,7 +9,8 @@
  *
  * A sign law chatters at w = 0. So M_p = clamp(-I_p w*_p/dt, -cap, +cap): what stops the spin within this step where
  * the cap allows it. w*_p is the spin that the step would end with under this contact's friction torque -r_p Q alone:
- * I_p w*_p/dt = I_p w_p/dt - r_p Q. Several contacts of one body do not know of each other.
+ * I_p w*_p/dt = I_p w_p/dt - r_p Q. Of I_p each of the z contacts that a body may have stops I_p/z, so that together they do not turn
+ * the spin over.
  *
  * differs: eq. 3275 is printed without the minus.
  *
@@ -31,13 +32,13 @@ static const tr_param params[] = {
      "coefficient of rolling resistance"},
 };
 
-/* Inertias [kg m]; the wall's is not used. Two held bodies are not stopped by anything: as if they were
+/* Shares of the inertias [kg m]; the wall's is not used. Two held bodies are not stopped by anything: as if they were
  * endlessly heavy, and what friction does to their spins (share 0) is nothing. */
 static void pair(const void *par_, const tr_pair_bodies *bodies, double *constants) {
     (void)par_;
     bool both = bodies->held1 && bodies->held2;
-    constants[0] = both ? 1e200 : bodies->R1 > 0 ? bodies->I1 : 0;
-    constants[1] = both ? 1e200 : bodies->I2;
+    constants[0] = both ? 1e200 : bodies->R1 > 0 ? bodies->I1 / (bodies->z1 > 1 ? bodies->z1 : 1) : 0;
+    constants[1] = both ? 1e200 : bodies->I2 / (bodies->z2 > 1 ? bodies->z2 : 1);
     constants[2] = both ? 0 : 1;
 }
 

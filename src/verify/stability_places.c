@@ -66,9 +66,9 @@ bool tr_stability_far(tr_verify *v, tr_status *st) {
 
 #define AROUND(x_, y_) "{radius: 1, x: " x_ ", y: " y_ ", motion: prescribed}"
 static const char six[] =
-    "kind: bodies\ntime_end: 2 s\nstep: {dt: 1 ms}\n"
+    "kind: bodies\ntime_end: 5 s\nstep: {dt: 1 ms}\n"
     "contact: {k_n: 1 MPa, damping_ratio: 0.3, friction: none, rolling: none}\n"
-    "disks: [{radius: 1, x: 0, y: 0, spin: 1e-3},\n" AROUND("1.99", "0") ", " AROUND("-1.99", "0") ", " AROUND(
+    "disks: [{radius: 1, x: 0, y: 0, spin: 1e-5},\n" AROUND("1.99", "0") ", " AROUND("-1.99", "0") ", " AROUND(
         "1.99 m*cos(60 deg)",
         "1.99 m*sin(60 deg)") ", " AROUND("-1.99 m*cos(60 deg)",
                                           "1.99 m*sin(60 deg)") ",\n" AROUND("1.99 m*cos(60 deg)",
@@ -91,11 +91,12 @@ bool tr_stability_six_contacts(tr_verify *v, tr_status *st) {
         snprintf(law, sizeof law, "contact.rolling=%s", laws[k]),
             snprintf(quantity, sizeof quantity, "largest energy/start, %s", laws[k]);
         const char *sets[] = {law, "contact.mu_r=0.1", k == 2 ? "contact.damping=yes" : "contact.friction=none"};
-        double most = 0, now = NAN;
+        double most = 0, now = NAN, start = 0; /* at the half step before: a dashpot has begun */
         ok = tr_stability_open(run, six, sets, 3, st);
         while (ok && run->b.world.steps < run->b.steps && (ok = tr_step_forces(&run->b.world, st))) {
             const double w = run->b.world.disks.vel[2];
-            now = w * w / 1e-6, most = fmax(most, now);
+            if (start == 0) start = w * w;
+            now = w * w / start, most = fmax(most, now);
             tr_bodies_advance(&run->b);
         }
         tr_stability_close(run);
