@@ -17,5 +17,13 @@ const tr_verification tr_verify_stability[] = {
      "broad/box2d.cpp: down() and up() round to nearest", tr_stability_far},
     {"stability", "six-contacts", "sign laws on a disk that six others hold", "a moment against the spin takes energy",
      "core/contacts.c: a body's share in one contact is 1", tr_stability_six_contacts},
+    {"stability", "pure-motions", "rolling without sliding and the reverse, every law", "definition of the motions", "",
+     tr_stability_pure_motions},
+    {"stability", "unloading", "the normal force falls to 0 under mobilised friction", "|Q| <= mu P", "",
+     tr_stability_unloading},
+    {"stability", "full-slip", "assemblies with Q at mu P, every law of friction", "outcome stated before the run", "",
+     tr_stability_full_slip},
+    {"stability", "hardness", "the biaxial test from k_n/pressure 10 to 1e7", "outcome stated before the run", "",
+     tr_stability_biaxial},
 };
 const int tr_n_verify_stability = sizeof tr_verify_stability / sizeof *tr_verify_stability;

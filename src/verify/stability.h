@@ -30,7 +30,7 @@ bool tr_stability_open(tr_stability_run *run, const char *text, const char *cons
 bool tr_stability_step(tr_stability_run *run, tr_status *st); /* forces, then advance */
 void tr_stability_close(tr_stability_run *run);
 
-/* All positions, velocities, forces and contact records are finite. */
+/* All positions, velocities, forces and contact records are finite, and no friction is above its bound. */
 bool tr_stability_readable(tr_world *world);
 
 /* Kinetic energy, elastic energy of all contacts and that of the load, at the time of the positions, after tr_step_forces [N]. */

@@ -40,7 +40,8 @@ bool tr_stability_readable(tr_world *world) {
               finite_all(world->disks.force, lanes);
     for (int i = 0; ok && i < n; i++) {
         const tr_record *r = &records[i];
-        ok = finite_all((double[]){r->f_n, r->f_t, r->f_r, r->m1, r->m2, r->v_s, r->v_r, r->mobilisation}, 8);
+        ok = finite_all((double[]){r->f_n, r->f_t, r->f_r, r->m1, r->m2, r->v_s, r->v_r, r->mobilisation}, 8) &&
+             r->mobilisation <= 1 + 1e-9;
     }
     free(records);
     return ok;
