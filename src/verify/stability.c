@@ -5,6 +5,8 @@
 const tr_verification tr_verify_stability[] = {
     {"stability", "time-step", "1000 random networks from 0.1 to 2 times the exact limit", "[Irons1971]",
      "core/timestep.c: share z/m of a body replaced by 1/m", tr_stability_networks},
+    {"stability", "not-conjugate", "networks of a rolling law with every rolling velocity",
+     "Jury's criterion for symmetric K", "", tr_stability_not_conjugate},
     {"stability", "no-answer", "states that must end in a failure that says where", "outcome stated before the run",
      "core/world.c: thin skin not bounded by the smallest radius", tr_stability_failures},
     {"stability", "coefficients", "mu 0 to 10, mu_r 0 to 100, stiffness ratios 1e-6 to 1e6", "rigid disk on a slope",
