@@ -10,6 +10,9 @@
  *   normal     s (k dt^2 + 2 c dt) = 4,  s = z1/m1 + z2/m2
  *   tangential sliding (k_t) and rolling (k_r) stiffness coupled through the spins: larger eigenvalue of a 2 x 2 matrix
  *
+ * Stability is meant of a symmetric K: a rolling velocity that is not conjugate to its moments (wang-spring with another one than
+ * wang) lets some packings grow at any step; trundle verify not-conjugate says how many.
+ *
  * Never above the exact bound; equal to it on a chain, 0.7-0.9 of it in a packing. Gershgorin's circles, the usual
  * choice, mix units of force and torque and give as little as 0.02.
  */

@@ -98,7 +98,7 @@ struct tr_verify {
 /* Number i over all groups; NULL: there are no more. */
 const tr_verification *tr_verification_at(int i);
 
-/* Runs one, adding to v. */
+/* Runs one, adding to v. TR_NUMERICAL becomes a row that failed. */
 bool tr_verify_run(tr_verify *v, const tr_verification *which, tr_status *st);
 void tr_verify_free(tr_verify *v);
 
