@@ -127,7 +127,8 @@ static void put_row(FILE *f, const tr_verified *r) {
 static void put_point(FILE *f, const struct tr_verify_pointed *p) {
     put_text(f, p->of->name), fputc(',', f), put_text(f, p->series), fputc(',', f), put_text(f, p->point.step_name);
     put_number(f, p->point.step), put_number(f, p->point.error), put_number(f, p->point.seconds);
-    put_number(f, p->point.low), put_number(f, p->point.high), fputc('\n', f);
+    put_number(f, p->point.low), put_number(f, p->point.high);
+    fprintf(f, ",%d\n", p->point.usual);
 }
 
 bool tr_verify_write(const tr_verify *v, const char *dir, tr_status *st) {
@@ -139,7 +140,7 @@ bool tr_verify_write(const tr_verify *v, const char *dir, tr_status *st) {
     if (!tr_file_commit(&file, st)) return false;
     if (!v->n_points) return true;
     if (!tr_file_open(&file, dir, "points.csv", st)) return false;
-    fputs("case,series,step_name,step,error,seconds,seconds_low,seconds_high\n", file.stream);
+    fputs("case,series,step_name,step,error,seconds,seconds_low,seconds_high,default\n", file.stream);
     for (int i = 0; i < v->n_points; i++) put_point(file.stream, &v->point[i]);
     return tr_file_commit(&file, st);
 }

@@ -47,6 +47,7 @@ typedef struct tr_verify_point {
     const char *step_name;     /* "dt [s]" */
     double error;              /* relative to the size of the answer */
     double seconds, low, high; /* wall time of one run: median, quartiles of interleaved repeats */
+    bool usual;                /* the step that the tool takes by default */
 } tr_verify_point;
 
 /* Adds a row, a point, to what the verification at work has found. ok overrides the comparison only where outcome is given: a row

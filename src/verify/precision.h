@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT */
+/* Group `precision`: what its files share. */
+#ifndef TR_PRECISION_H
+#define TR_PRECISION_H
+
+#include "core/bodies.h"
+#include "verify/integrate.h"
+#include "verify/sweep.h"
+
+/* A scene of bodies whose state at time_end is known. */
+typedef struct tr_precise {
+    const char *text; /* the case */
+    const char *
+        vary; /* a key that is different from run to run, so that no error is small by chance: a number of runs with it */
+    double from, to; /* in equal steps from `from` on; `to` is not reached */
+    int variants;    /* 1: vary is not read */
+    double (*error)(const tr_bodies *b,
+                    const void *reference); /* of the state at time_end, relative; velocities are those of time_end */
+    void *(*reference)(const tr_scene *scene,
+                       tr_status *st); /* what of it does not depend on the step; freed with free; may be NULL */
+    double coarsest;                   /* step over the default */
+    int levels;                        /* halvings of it */
+    int repeats;
+} tr_precise;
+
+/* Sweeps methods, named in the order of tr_integrator, over levels of the step. Error: the root mean square over the
+ * variants. */
+bool tr_precise_add(tr_verify *v, const tr_precise *c, const tr_sweep_method *method, int methods, double goal,
+                    const char *reason, tr_status *st);
+
+typedef bool tr_precision_run(tr_verify *v, tr_status *st);
+tr_precision_run tr_precision_impact, tr_precision_oblique, tr_precision_slip_to_roll, tr_precision_rolling_spring;
+tr_precision_run tr_precision_impact_chain, tr_precision_chain_linear, tr_precision_chain_hertz;
+tr_precision_run tr_precision_path, tr_precision_rolling_path;
+tr_precision_run tr_precision_half_plane_sliding, tr_precision_half_plane_rolling, tr_precision_brush;
+tr_precision_run tr_precision_biaxial;
+
+#endif
