@@ -24,7 +24,7 @@ LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o)
 CLI_OBJ  := $(CLI_SRC:%=$(BUILD)/%.o)
 TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all biaxial figures features demos gallery test install asan lint format clean help packages-% build-all run-demos run-tests
+.PHONY: all biaxial figures features demos gallery verify test install asan lint format clean help packages-% build-all run-demos run-tests
 .SECONDARY:
 
 all: packages-build
@@ -54,6 +54,13 @@ gallery: packages-gallery
 	@$(MAKE) --no-print-directory -k run-demos; code=$$?; \
 	    $(MAKE) --no-print-directory $(OUT)/gallery/index.html || code=$$?; exit $$code
 	@echo "page: $(OUT)/gallery/index.html, to take along: $(OUT)/gallery.zip (needs zip)"
+
+# Minutes. The figures show what failed too.
+verify: packages-build
+	@$(MAKE) --no-print-directory build-all
+	./trundle verify exact precision stability -o out/verify; code=$$?; \
+	    gnuplot -d -e 'dir = "out/verify"' figures/precision.gp; exit $$code
+	@echo "tables: out/verify/verify.csv, points.csv; figures: out/verify/precision-*.png (need gnuplot)"
 
 test: packages-test
 	@$(MAKE) --no-print-directory run-tests
@@ -86,6 +93,7 @@ help:
 	@echo 'make features  build, measure what each feature and each law costs, and draw it: out/figures/features.png'
 	@echo 'make demos     build, and run all cases but the biaxial tests into out/demos/, those that have changed'
 	@echo 'make gallery   make demos, and one page of them to show in a lecture: out/gallery/index.html'
+	@echo 'make verify    build, compare with answers from elsewhere, and draw error against run time: out/verify/; 8 minutes'
 	@echo 'make           install what is missing, build ./trundle'
 	@echo 'make install   PREFIX=$(PREFIX) DESTDIR=$(DESTDIR): trundle and the cases'
 	@echo 'make asan      the tests under the address and undefined-behaviour sanitizers'

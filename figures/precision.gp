@@ -3,11 +3,12 @@
 # usage: gnuplot -e 'dir = "out/verify"' figures/precision.gp
 csv = dir.'/points.csv'
 set datafile separator ','
-column(n, where) = system("awk -F, 'NR > 1 && ".where." && !seen[$".n."]++ {gsub(/ /, \"~\", $".n."); print $".n."}' ".csv)
+names(n, where) = system("awk -F, 'NR > 1 && ".where." && !seen[$".n."]++ {gsub(/ /, \"~\", $".n."); print $".n."}' ".csv)
+of(c, series, where) = sprintf("< awk -F, '$1 == \"%s\" && $2 == \"%s\" && $5 != \"\" && %s' %s", c, series, where, csv)
 plain(name) = system("echo '".name."' | tr '~' ' '")
 array color[8] = ['#000000', '#d55e00', '#0072b2', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#999999']
 array mark[8] = [7, 6, 8, 4, 12, 5, 10, 2]
-cases = column('1', '1')
+cases = names("1", "1")
 
 do for [k = 1:2] {
     if (k == 1) {set terminal svg size 900,620 font "DejaVu Sans,17" enhanced rounded background "#ffffff"} \
@@ -21,15 +22,14 @@ do for [k = 1:2] {
     set arrow 1 from graph 0, first 1e-3 to graph 1, first 1e-3 nohead dashtype 3 linecolor '#606060'
     do for [c in cases] {
         set output dir.'/precision-'.c.ending
-        set ylabel c eq 'biaxial' ? 'half-width of the 95 % interval / mean [1]' : c.': error [1]'
-        all = column('2', '$1 == "'.c.'"')
-        at(s) = strcol(1) eq c && strcol(2) eq plain(s)
-        plot for [i = 1:words(all)] csv using (strcol(1) eq c && strcol(2) eq plain(word(all, i)) ? $6 : NaN):5:7:8 \
-                 with xerrorbars pointtype mark[i] pointsize 1 linecolor rgb color[i] notitle, \
-             for [i = 1:words(all)] csv using (strcol(1) eq c && strcol(2) eq plain(word(all, i)) ? $6 : NaN):5 \
-                 with linespoints pointtype mark[i] pointsize 1 linecolor rgb color[i] title plain(word(all, i)), \
-             csv using (strcol(1) eq c && $9 == 1 ? $6 : NaN):5 with points pointtype 6 pointsize 2.6 linecolor rgb '#808080' \
-                 title 'default step'
+        set ylabel (c eq 'biaxial' ? 'half-width of the 95 % interval / mean [1]' : c.': error [1]')
+        all = names("2", '$1 == "'.c.'"')
+        plot for [i = 1:words(all)] of(c, plain(word(all, i)), '1') using 6:5:7:8 \
+                 with xerrorbars pointtype mark[i] pointsize 1.3 linecolor rgb color[i] notitle, \
+             for [i = 1:words(all)] of(c, plain(word(all, i)), '1') using 6:5 \
+                 with linespoints pointtype mark[i] pointsize 1.3 linecolor rgb color[i] title plain(word(all, i)), \
+             for [i = 1:words(all)] of(c, plain(word(all, i)), '$9') using 6:5 with points pointtype 6 pointsize 3 linecolor rgb '#808080' \
+                 title (i == 1 ? 'default step' : '')
     }
     unset arrow 1
     unset key
@@ -37,20 +37,22 @@ do for [k = 1:2] {
     else {set terminal pngcairo size 1350,1500 font "DejaVu Sans,17" enhanced rounded linewidth 1.5}
     set output dir.'/precision-summary'.ending
     table = '< awk -f figures/precision.awk '.csv
-    set multiplot layout 1,2 margins 0.33,0.985,0.075,0.985 spacing 0.03
-    set yrange [] reverse
+    set multiplot layout 1,2 margins 0.33,0.97,0.075,0.985 spacing 0.06
+    unset logscale y
+    rows = int(system(sprintf("awk -f figures/precision.awk %s | wc -l", csv))) - 1
+    set yrange [rows - 0.3:-0.7]
     set ytics scale 0
     unset ylabel
-    set xlabel "error at the default step [1]\n(in grey: 10^{-3})"
+    set xlabel "error at the default step [1]\n(dotted: 10^{-3})"
     set arrow 1 from 1e-3, graph 0 to 1e-3, graph 1 nohead dashtype 3 linecolor '#606060'
-    unset logscale y
     set format y '%s'
-    plot table using 2:0:ytic(1) with points pointtype 7 linecolor rgb '#0072b2'
+    plot table using 3:1:ytic(2) with points pointtype 7 linecolor rgb '#0072b2'
     unset arrow 1
     set format y ''
-    set xlabel "wall time to an error of 10^{-3} [s]\n(none: not crossed between two steps)"
-    plot table using 3:0:4:5 with xerrorbars pointtype 7 linecolor rgb '#d55e00'
+    set xlabel "wall time to an error of 10^{-3} [s]\n(open: by the coarsest step; none: not reached)"
+    plot table using 4:1:5:6 with xerrorbars pointtype 7 linecolor rgb '#d55e00', \
+         table using 7:1 with points pointtype 6 linecolor rgb '#d55e00'
     unset multiplot
-    unset yrange
+    set yrange [*:*]
     set ytics scale default autofreq
 }

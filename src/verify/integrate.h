@@ -9,7 +9,7 @@
  *                   dashpot, whose force is wanted now; wrong for a spring with a history, which wants the displacement of
  *                   the step, h v^(n-1/2)
  *   Forest-Ruth     three leapfrogs with the drift split, of 1.35, -1.70 and 1.35 h: fourth order [Forest1990]
- *   PEFRL           four forces a step: fourth order, errors some 20 times smaller [Omelyan2002 eq. 22]
+ *   PEFRL           four forces a step: fourth order with small errors [Omelyan2002]
  *
  * The last two run backwards in time for a part of the step: a dashpot then gives energy and friction unslides. They are refused
  * where there is either. They keep the contact list of the start. */

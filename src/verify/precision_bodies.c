@@ -112,7 +112,7 @@ bool tr_precision_oblique(tr_verify *v, tr_status *st) {
         {"velocity Verlet", 1, 0.2, first_order},
         {"Verlet predicted v", 1, 0.2, first_order},
     };
-    const tr_precise c = {oblique_text, "disks.1.x", 20.000004e-3, 20.000024e-3, 16, oblique_error, NULL, 2, 10, 7};
+    const tr_precise c = {oblique_text, "disks.1.x", 20.000004e-3, 20.000024e-3, 16, oblique_error, NULL, 2, 12, 7};
     return tr_precise_add(v, &c, method, 3, 1, "four steps a contact: its end is found to one of them", st);
 }
 
@@ -137,7 +137,7 @@ static double slip_error(const tr_bodies *b, const void *reference) {
     return hypot(velocity(b, 0)[0] - (v0 - lost), d->radius * velocity(b, 0)[2] + 2 * lost) / v0;
 }
 
-bool tr_precision_slip_to_roll(tr_verify *v, tr_status *st) {
+bool tr_precision_thrown_disk(tr_verify *v, tr_status *st) {
     static const tr_sweep_method method[] = {
         {"leapfrog", 2, 0.4, second_order},
         {"velocity Verlet", 2, 0.4, second_order},
