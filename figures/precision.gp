@@ -17,7 +17,7 @@ do for [k = 1:2] {
     set logscale xy
     set format '10^{%T}'
     set grid linecolor '#d8d8d8'
-    set key outside top center horizontal maxcols 3 samplen 1.5
+    set key outside top center horizontal maxcols 3 noenhanced samplen 1.5
     set xlabel 'wall time of a run [s]: median and quartiles'
     set arrow 1 from graph 0, first 1e-3 to graph 1, first 1e-3 nohead dashtype 3 linecolor '#606060'
     do for [c in cases] {
@@ -28,8 +28,8 @@ do for [k = 1:2] {
                  with xerrorbars pointtype mark[i] pointsize 1.3 linecolor rgb color[i] notitle, \
              for [i = 1:words(all)] of(c, plain(word(all, i)), '1') using 6:5 \
                  with linespoints pointtype mark[i] pointsize 1.3 linecolor rgb color[i] title plain(word(all, i)), \
-             for [i = 1:words(all)] of(c, plain(word(all, i)), '$9') using 6:5 with points pointtype 6 pointsize 3 linecolor rgb '#808080' \
-                 title (i == 1 ? 'default step' : '')
+              sprintf("< awk -F, '$1 == \"%s\" && $9' %s", c, csv) using 6:5 with points pointtype 6 pointsize 3 linecolor rgb '#808080' \
+                 title 'default step'
     }
     unset arrow 1
     unset key
@@ -49,7 +49,7 @@ do for [k = 1:2] {
     plot table using 3:1:ytic(2) with points pointtype 7 linecolor rgb '#0072b2'
     unset arrow 1
     set format y ''
-    set xlabel "wall time to an error of 10^{-3} [s]\n(open: by the coarsest step; none: not reached)"
+    set xlabel "wall time to an error of 10^{-3} [s]\n(open: at most; none: not reached)"
     plot table using 4:1:5:6 with xerrorbars pointtype 7 linecolor rgb '#d55e00', \
          table using 7:1 with points pointtype 6 linecolor rgb '#d55e00'
     unset multiplot

@@ -21,7 +21,7 @@ bool tr_precise_failed(tr_status *st) {
 
 static bool run(void *context, int method, int k, tr_sweep_result *result, tr_status *st) {
     const bench *b = context;
-    double sum = 0, seconds = 0;
+    double sum = 0, seconds[MOST_VARIANTS];
     int n = b->what->variants;
     for (int i = 0; i < n; i++) {
         tr_scene scene = b->scene[i];
@@ -30,13 +30,14 @@ static bool run(void *context, int method, int k, tr_sweep_result *result, tr_st
         if (!tr_bodies_init(&bodies, &scene, st)) return false;
         double start = tr_sweep_now();
         bool ok = tr_integrate(&bodies.world, (tr_integrator)method, bodies.steps, st);
-        seconds += tr_sweep_now() - start;
+        seconds[i] = tr_sweep_now() - start;
         double error = ok ? b->what->error(&bodies, b->reference[i]) : NAN;
         sum += error * error;
-        *result = (tr_sweep_result){.step = bodies.world.dt, .error = sqrt(sum / n), .seconds = seconds / n};
+        *result = (tr_sweep_result){.step = bodies.world.dt, .error = sqrt(sum / n)};
         tr_bodies_free(&bodies);
         if (!ok && !tr_precise_failed(st)) return false;
     }
+    result->seconds = tr_sweep_median(seconds, n);
     return true;
 }
 

@@ -24,7 +24,7 @@ typedef struct tr_precise {
 } tr_precise;
 
 /* Sweeps methods, named in the order of tr_integrator, over levels of the step. Error: the root mean square over the
- * variants. */
+ * variants; time: their median, which one that was interrupted does not move. */
 bool tr_precise_add(tr_verify *v, const tr_precise *c, const tr_sweep_method *method, int methods, double goal,
                     const char *reason, tr_status *st);
 

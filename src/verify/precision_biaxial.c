@@ -7,7 +7,7 @@
  *
  * One seed of 400 disks scatters by 0.045 (one standard deviation, known from trials by another program), one of 120 by sqrt(400/120)
  * times that, 0.082. Three standard errors of a mean over 12 seeds: 0.071; of a difference: 0.10. A difference that is smaller cannot
- * be seen here. That program had 0.28 without rolling resistance.
+ * be seen here: these rows find gross dependences only. That program had 0.28 without rolling resistance.
  */
 #include "core/biaxial.h"
 #include "core/step.h"
@@ -15,7 +15,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { SEEDS = 12 };
@@ -85,13 +84,8 @@ static void interval(const double *x, const double *y, int which, double *mean, 
     *half = student[which] * sqrt(square / (n - 1) / n);
 }
 
-static int ascending(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static bool add_points(tr_verify *v, variant *of, tr_status *st) {
-    qsort(of->seconds, SEEDS, sizeof *of->seconds, ascending);
+static bool add_points(tr_verify *v, variant *of, bool base, tr_status *st) {
+    double median = tr_sweep_median(of->seconds, SEEDS);
     for (int i = 0; i < 3; i++) {
         double mean, half, n = some[i];
         interval(of->sin_phi, NULL, i, &mean, &half);
@@ -100,9 +94,10 @@ static bool add_points(tr_verify *v, variant *of, tr_status *st) {
                                                     .step = n,
                                                     .step_name = "seeds",
                                                     .error = half / mean,
-                                                    .seconds = n * of->seconds[SEEDS / 2],
+                                                    .seconds = n * median,
                                                     .low = n * of->seconds[SEEDS / 4],
-                                                    .high = n * of->seconds[3 * SEEDS / 4]},
+                                                    .high = n * of->seconds[3 * SEEDS / 4],
+                                                    .usual = base && some[i] == SEEDS},
                                  st))
             return false;
     }
@@ -137,7 +132,7 @@ bool tr_precision_biaxial(tr_verify *v, tr_status *st) {
         {.name = "kappa 4000", .set = "contact.k_n=640 MPa"},
         {.name = "safety 0.1", .set = "step.safety=0.1"},
         {.name = "safety 0.8", .set = "step.safety=0.8"},
-        {.name = "I 2e-3 kappa 1000 safety 0.4 mu_r 0", .set = "contact.mu_r=0"},
+        {.name = "mu_r 0", .set = "contact.mu_r=0"},
     };
     enum { N = sizeof variants / sizeof *variants };
     for (int seed = 0; seed < SEEDS; seed++)
@@ -146,6 +141,6 @@ bool tr_precision_biaxial(tr_verify *v, tr_status *st) {
     bool ok = add_row(v, &variants[N - 1], NULL, 0.28, 0.08, "three standard errors, and the last digit of 0.28", st);
     for (int i = 1; i < N - 1 && ok; i++)
         ok = add_row(v, &variants[i], &variants[0], 0, 0.10, "three standard errors of a difference", st);
-    for (int i = 0; i < N && ok; i++) ok = add_points(v, &variants[i], st);
+    for (int i = 0; i < N && ok; i++) ok = add_points(v, &variants[i], i == 0, st);
     return ok;
 }

@@ -179,6 +179,6 @@ bool tr_precision_rolling_spring(tr_verify *v, tr_status *st) {
         {"velocity Verlet", 2, 0.15, "smooth: second order, less where the fast phase is lost"},
         {"Verlet predicted v", 1, 0.2, "a spring that is told the velocity half a step later"},
     };
-    const tr_precise c = {rolling_text, NULL, 0, 0, 1, rolling_error, NULL, 2, 9, 7};
+    const tr_precise c = {rolling_text, NULL, 0, 0, 1, rolling_error, NULL, 2, 9, 15};
     return tr_precise_add(v, &c, method, 3, 0.01, "k_r/k_t: the share of the fast mode, out of phase in the end", st);
 }

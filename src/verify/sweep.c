@@ -24,6 +24,11 @@ static int ascending(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
+double tr_sweep_median(double *values, int n) {
+    qsort(values, (size_t)n, sizeof *values, ascending);
+    return values[n / 2];
+}
+
 static double slope(const cell *c, int n, double floor) {
     double sx = 0, sy = 0, sxx = 0, sxy = 0;
     int used = 0;
@@ -89,13 +94,12 @@ static bool add_rows(tr_verify *v, const tr_sweep *s, int m, const cell *c, tr_s
 static bool add_points(tr_verify *v, const tr_sweep *s, int m, cell *c, tr_status *st) {
     for (int k = 0; k < s->steps; k++) {
         double *t = c[k].seconds;
-        qsort(t, (size_t)s->repeats, sizeof *t, ascending);
         if (!tr_verify_point_add(v,
                                  &(tr_verify_point){.series = s->method[m].name,
                                                     .step_name = s->step_name,
                                                     .step = c[k].result.step,
                                                     .error = c[k].result.error,
-                                                    .seconds = t[s->repeats / 2],
+                                                    .seconds = tr_sweep_median(t, s->repeats),
                                                     .low = t[s->repeats / 4],
                                                     .high = t[(3 * s->repeats) / 4],
                                                     .usual = k == s->usual},

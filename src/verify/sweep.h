@@ -40,4 +40,7 @@ bool tr_sweep_add(tr_verify *v, const tr_sweep *sweep, tr_status *st);
 
 double tr_sweep_now(void); /* [s] */
 
+/* Sorts them. */
+double tr_sweep_median(double *values, int n);
+
 #endif
