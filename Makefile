@@ -93,7 +93,7 @@ help:
 	@echo 'make features  build, measure what each feature and each law costs, and draw it: out/figures/features.png'
 	@echo 'make demos     build, and run all cases but the biaxial tests into out/demos/, those that have changed'
 	@echo 'make gallery   make demos, and one page of them to show in a lecture: out/gallery/index.html'
-	@echo 'make verify    build, compare with answers from elsewhere, and draw error against run time: out/verify/; 8 minutes'
+	@echo 'make verify    build, compare with answers from elsewhere, and draw error against run time: out/verify/; minutes'
 	@echo 'make           install what is missing, build ./trundle'
 	@echo 'make install   PREFIX=$(PREFIX) DESTDIR=$(DESTDIR): trundle and the cases'
 	@echo 'make asan      the tests under the address and undefined-behaviour sanitizers'
