@@ -59,8 +59,10 @@ gallery: packages-gallery
 verify: packages-build
 	@$(MAKE) --no-print-directory build-all
 	./trundle verify exact precision stability -o out/verify; code=$$?; \
-	    gnuplot -d -e 'dir = "out/verify"' figures/precision.gp; exit $$code
-	@echo "tables: out/verify/verify.csv, points.csv; figures: out/verify/precision-*.png (need gnuplot)"
+	    gnuplot -d -e 'dir = "out/verify"' figures/verify/precision.gp; \
+	    gnuplot -d -e 'set output "out/verify/stability.png"; set terminal pngcairo size 1350,1080 font "DejaVu Sans,20" enhanced' \
+	        figures/verify/stability.gp; exit $$code
+	@echo "tables: out/verify/verify.csv, points.csv; figures: out/verify/precision-*.png, stability.png (need gnuplot)"
 
 test: packages-test
 	@$(MAKE) --no-print-directory run-tests

@@ -211,16 +211,16 @@ static bool add_drift(tr_verify *v, const char *text, bool linear, tr_status *st
 bool tr_precision_chain_linear(tr_verify *v, tr_status *st) {
     char text[SIZE];
     linear_text(text);
-    const tr_precise c = {text, NULL, 0, 0, 1, linear_error, NULL, 2, 8, 11};
-    return tr_precise_add(v, &c, smooth, 5, 0.3, "(w dt)^2/24 of the phase a step, of the fastest mode", st) &&
+    const tr_precise c = {text, NULL, 0, 0, 1, linear_error, NULL, 8, 8, 11};
+    return tr_precise_add(v, &c, smooth, 5, 0.02, "(w dt)^2/24 of the phase a step, of the fastest mode", st) &&
            add_drift(v, text, true, st) && refused(v, st);
 }
 
 bool tr_precision_chain_hertz(tr_verify *v, tr_status *st) {
     char text[SIZE];
     hertz_text(text);
-    const tr_precise c = {text, NULL, 0, 0, 1, hertz_error, hertz_reference, 2, 7, 11};
-    return tr_precise_add(v, &c, smooth, 5, 0.3, "(w dt)^2/24 of the phase a step, of the fastest mode", st) &&
+    const tr_precise c = {text, NULL, 0, 0, 1, hertz_error, hertz_reference, 8, 7, 11};
+    return tr_precise_add(v, &c, smooth, 5, 0.02, "(w dt)^2/24 of the phase a step, of the fastest mode", st) &&
            add_drift(v, text, false, st);
 }
 
@@ -238,6 +238,6 @@ bool tr_precision_impact_chain(tr_verify *v, tr_status *st) {
                 "rolling: none}\n"
                 "time_end: 2 ms\n",
                 0, 0, 0);
-    const tr_precise c = {text, NULL, 0, 0, 1, hertz_error, hertz_reference, 2, 8, 11};
-    return tr_precise_add(v, &c, opening, 5, 0.3, "a few steps a contact", st);
+    const tr_precise c = {text, NULL, 0, 0, 1, hertz_error, hertz_reference, 8, 8, 11};
+    return tr_precise_add(v, &c, opening, 5, 0.02, "some twenty steps a contact, second order", st);
 }

@@ -32,8 +32,8 @@ static bool one(tr_verify *v, tr_network *net, tally *t, int i, tr_status *st) {
     bool grows = !(tr_network_growth(net, f * limit, STEPS, &a_step, st) < TR_NETWORK_GROWN);
     t->wrong += fabs(f - 1) > 0.02 && grows != (f > 1);
     const char *series = net->zeta > 0 ? "damped" : "undamped";
-    const tr_verify_point grown = {series, f, "dt/limit", a_step, NAN, NAN, NAN},
-                          told = {"bound", bound / limit, "dt/limit", NAN, NAN, NAN, NAN};
+    const tr_verify_point grown = {series, f, "dt/limit", a_step, NAN, NAN, NAN, false},
+                          told = {"bound", bound / limit, "dt/limit", NAN, NAN, NAN, NAN, false};
     return st->code == TR_OK && tr_verify_point_add(v, &grown, st) && tr_verify_point_add(v, &told, st);
 }
 

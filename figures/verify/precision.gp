@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Error against run time, a diagram for each case, and a summary. Data: points.csv of `trundle verify precision`.
-# usage: gnuplot -e 'dir = "out/verify"' figures/precision.gp
+# usage: gnuplot -e 'dir = "out/verify"' figures/verify/precision.gp
 csv = dir.'/points.csv'
 set datafile separator ','
 names(n, where) = system("awk -F, 'NR > 1 && ".where." && !seen[$".n."]++ {gsub(/ /, \"~\", $".n."); print $".n."}' ".csv)
@@ -8,7 +8,7 @@ of(c, series, where) = sprintf("< awk -F, '$1 == \"%s\" && $2 == \"%s\" && $5 !=
 plain(name) = system("echo '".name."' | tr '~' ' '")
 array color[8] = ['#000000', '#d55e00', '#0072b2', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#999999']
 array mark[8] = [7, 6, 8, 4, 12, 5, 10, 2]
-cases = names("1", "1")
+cases = names("1", '$6 != ""') # the points of `stability` have no time
 
 do for [k = 1:2] {
     if (k == 1) {set terminal svg size 900,620 font "DejaVu Sans,17" enhanced rounded background "#ffffff"} \
@@ -36,10 +36,10 @@ do for [k = 1:2] {
     if (k == 1) {set terminal svg size 900,1000 font "DejaVu Sans,14" enhanced rounded background "#ffffff"} \
     else {set terminal pngcairo size 1350,1500 font "DejaVu Sans,17" enhanced rounded linewidth 1.5}
     set output dir.'/precision-summary'.ending
-    table = '< awk -f figures/precision.awk '.csv
+    table = '< awk -f figures/verify/precision.awk '.csv
     set multiplot layout 1,2 margins 0.33,0.97,0.075,0.985 spacing 0.06
     unset logscale y
-    rows = int(system(sprintf("awk -f figures/precision.awk %s | wc -l", csv))) - 1
+    rows = int(system(sprintf("awk -f figures/verify/precision.awk %s | wc -l", csv))) - 1
     set yrange [rows - 0.3:-0.7]
     set ytics scale 0
     unset ylabel
