@@ -209,6 +209,7 @@ static void fill(tr_scene *s, int n, tr_random *random) {
     *s = read_ok(bodies_case, NULL, 0);
     free(s->disks);
     free(s->walls);
+    free(s->checks);
     s->n_disks = n;
     s->n_walls = 100;
     s->n_checks = 32;
