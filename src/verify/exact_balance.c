@@ -23,7 +23,8 @@ static bool cluster(tr_world *w, tr_status *st) {
     if (!tr_scene_read(&scene, "cluster", text, strlen(text), NULL, 0, tr_laws_catalog(), st)) return false;
     bool ok = tr_world_init(w, SIDE * SIDE, TR_SHAPE_DISK, st);
     for (int i = 0; ok && i < SIDE * SIDE; i++) {
-        double *v = w->disks.vel + 4 * i, x = 0.0205 * (i % SIDE - 3), y = 0.0205 * (i / SIDE - 3);
+        int row = i / SIDE, column = i % SIDE;
+        double *v = w->disks.vel + 4 * i, x = 0.0205 * (column - 3), y = 0.0205 * (row - 3);
         tr_world_set_disk(w, i, x, y, 0, 0.006 + 0.004 * tr_random_uniform(&r), 1000, false);
         v[0] = -10 * x - 5 * y + 0.2 * tr_random_uniform(&r), v[1] = -10 * y + 5 * x + 0.2 * tr_random_uniform(&r);
         v[2] = 40 * (tr_random_uniform(&r) - 0.3);

@@ -14,7 +14,7 @@ static bool rows(tr_verify *v, const char *text, const char *const *quantity, do
                  tr_status *st) {
     enum { MOST = 4 };
     tr_scene scene;
-    tr_check_result result[MOST];
+    tr_check_result result[MOST] = {{0}};
     if (!tr_scene_read(&scene, v->now->name, text, strlen(text), NULL, 0, tr_laws_catalog(), st)) return false;
     bool ok = tr_verify_play(v, &scene, 0, result, st) && tr_verify_go_on(v, st);
     for (int k = 0; ok && k < scene.n_checks; k++) {

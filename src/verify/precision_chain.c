@@ -137,7 +137,7 @@ typedef struct drift {
 
 static bool long_run(const char *text, drift *result, tr_status *st) {
     enum { SAMPLES = 1000, EVERY = 1000 };
-    double e[SAMPLES];
+    double e[SAMPLES] = {0};
     tr_scene scene;
     tr_bodies b;
     if (!tr_scene_read(&scene, "case", text, strlen(text), NULL, 0, tr_laws_catalog(), st)) return false;

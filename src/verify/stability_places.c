@@ -22,9 +22,10 @@ static bool burst(tr_verify *v, double far, const tr_broad_finder *finder, doubl
     bool ok = tr_scene_read(&scene, "burst", text, strlen(text), NULL, 0, tr_laws_catalog(), st);
     if (ok && (ok = tr_world_init(w, N, TR_SHAPE_DISK, st))) {
         tr_world_set_disk(w, 0, 0, 0, 0, 1, 1000, false);
-        for (int i = 1; i < N; i++)
-            tr_world_set_disk(w, i, far + 1.98 * ((i - 1) % SIDE) + 0.5 * ((i - 1) / SIDE % 2),
-                              far + 1.9 * ((i - 1) / SIDE), 0, 1, 1000, false);
+        for (int i = 1; i < N; i++) {
+            int row = (i - 1) / SIDE, column = (i - 1) % SIDE;
+            tr_world_set_disk(w, i, far + 1.98 * column + 0.5 * (row % 2), far + 1.9 * row, 0, 1, 1000, false);
+        }
         w->broad = finder;
         w->dt = 2e-3; /* the limit is 0.02 s */
         ok = tr_world_set_laws(w, &scene.contact, false, 0, st);
