@@ -8,6 +8,7 @@
  * are within a step of it. */
 #include "base/alloc.h"
 #include "out/summary.h"
+#include "study/picture.h"
 #include "study/play.h"
 #include "study/run_internal.h"
 #include <assert.h>
@@ -15,23 +16,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_CHECKS = 32 }; /* of a scene; see scene/tables.c */
-
-typedef struct film_view {
-    double x0, x1, y0, y1, range, bottom, top; /* box, speeds, values of the curve */
-} film_view;
-
 typedef struct show {
     const tr_scene *scene; /* the first; its outputs are those of all */
     const tr_run_options *options;
     tr_run_report *report;
     tr_outputs out;
-    tr_play *play[TR_MAX_LANES];
-    int n, leader; /* scenes; the one with the most steps */
+    tr_cast cast;
     bool rehearsal, has_still;
-    film_view view;
+    tr_view_box view;
     tr_scene_pick most[TR_MAX_LANES];
-    tr_check_result result[TR_MAX_LANES * MAX_CHECKS];
+    tr_check_result result[TR_MAX_LANES * TR_MAX_CHECKS];
     int n_results;
 } show;
 
@@ -40,124 +34,40 @@ static const tr_scene *scene_of(const show *s, int i) {
 }
 
 static void close_plays(show *s) {
-    for (int i = 0; i < s->n; i++) {
-        if (!s->play[i]) continue;
-        tr_play_close(s->play[i]);
-        free(s->play[i]);
-        s->play[i] = NULL;
+    for (int i = 0; i < s->cast.n; i++) {
+        if (!s->cast.play[i]) continue;
+        tr_play_close(s->cast.play[i]);
+        free(s->cast.play[i]);
+        s->cast.play[i] = NULL;
     }
 }
 
 static bool open_plays(show *s, tr_status *st) {
-    s->leader = 0;
-    for (int i = 0; i < s->n; i++) {
-        s->play[i] = tr_alloc(1, sizeof *s->play[i], st);
-        if (!s->play[i] || !tr_play_open(s->play[i], scene_of(s, i), s->scene->output.curve, st)) return false;
-        if (s->play[i]->b.steps > s->play[s->leader]->b.steps) s->leader = i;
+    s->cast.leader = 0;
+    for (int i = 0; i < s->cast.n; i++) {
+        s->cast.play[i] = tr_alloc(1, sizeof *s->cast.play[i], st);
+        if (!s->cast.play[i] || !tr_play_open(s->cast.play[i], scene_of(s, i), s->scene->output.curve, st))
+            return false;
+        if (s->cast.play[i]->b.steps > s->cast.play[s->cast.leader]->b.steps) s->cast.leader = i;
     }
     return true;
-}
-
-/* ---- what the film must hold ---- */
-
-static void widen(double *low, double *high, double value) {
-    if (value == value) *low = fmin(*low, value), *high = fmax(*high, value);
-}
-
-static void widen_view(film_view *v, const tr_play *p) {
-    const tr_world *world = &p->b.world;
-    double tilt = tr_play_tilt(p), c = cos(tilt), n = sin(tilt);
-    for (int i = 0; i < world->disks.n; i++) {
-        const double *q = world->disks.pos + 4 * (size_t)i;
-        double x = q[0] * c - q[1] * n, y = q[0] * n + q[1] * c;
-        widen(&v->x0, &v->x1, x - q[3]), widen(&v->x0, &v->x1, x + q[3]);
-        widen(&v->y0, &v->y1, y - q[3]), widen(&v->y0, &v->y1, y + q[3]);
-    }
-    v->range = fmax(v->range, tr_frame_range_bodies(world, p->records, p->n_records));
-}
-
-/* ---- frames ---- */
-
-/* Where a closed form gives a time, the curves have a mark. */
-static double mark_of(const tr_scene *scene) {
-    for (int k = 0; k < scene->n_checks; k++) {
-        const tr_scene_check *c = &scene->checks[k];
-        if (c->what == TR_SLIP_ENDS || c->what == TR_SLIP_STARTS || c->what == TR_STOP_TIME) return c->exact;
-    }
-    return NAN;
-}
-
-static tr_chart chart_of(const show *s) {
-    static const struct {
-        const char *name[2], *unit;
-    } curve[] = {[TR_CURVE_SPEED] = {{"speed", NULL}, "m/s"},
-                 [TR_CURVE_VELOCITIES] = {{"V_s", "V_r"}, "m/s"},
-                 [TR_CURVE_CREEPAGE] = {{"creepage", NULL}, "1"},
-                 [TR_CURVE_SPIN] = {{"spin", NULL}, "rad/s"}};
-    int k = s->scene->output.curve;
-    tr_chart chart = {.name = {curve[k].name[0], curve[k].name[1]},
-                      .unit = curve[k].unit,
-                      .bottom = s->view.bottom,
-                      .top = s->view.top,
-                      .n = s->play[0]->n,
-                      .time = s->play[0]->time};
-    for (int i = 0; i < s->n; i++) {
-        for (int j = 0; j < 2; j++) chart.value[i][j] = curve[k].name[j] ? s->play[i]->value[j] : NULL;
-        chart.mark[i] = mark_of(s->play[i]->scene);
-        if (s->play[i]->n < chart.n) chart.n = s->play[i]->n;
-    }
-    return chart;
-}
-
-static const char *or_null(const char *text) {
-    return *text ? text : NULL;
-}
-
-/* A frame of the film, or with its caption and numbers the still. */
-static void draw(show *s, tr_canvas *canvas, bool still) {
-    const tr_scene_lesson *lesson = &s->scene->lesson;
-    tr_show_lane lane[TR_MAX_LANES];
-    for (int i = 0; i < s->n; i++) {
-        lane[i] = tr_play_lane(s->play[i]);
-        lane[i].x0 = s->view.x0, lane[i].x1 = s->view.x1, lane[i].y0 = s->view.y0, lane[i].y1 = s->view.y1;
-    }
-    tr_chart chart = s->scene->output.curve ? chart_of(s) : (tr_chart){0};
-    tr_show_check check[TR_MAX_LANES * MAX_CHECKS];
-    int n_checks = 0;
-    for (int i = 0; i < s->n_results && still; i++) {
-        bool in_bars = s->n == 1 && s->result[i].check->what <= TR_ROLLING_VELOCITY;
-        if (!in_bars) check[n_checks++] = tr_run_shown_check(&s->result[i], s->scene, s->n > 1);
-    }
-    const tr_show picture = {.title = *lesson->title ? lesson->title : s->options->title,
-                             .equation = or_null(lesson->equation),
-                             .time = tr_play_time(s->play[s->leader]),
-                             .time_end = s->scene->time_end,
-                             .slower = tr_film_seconds(s->scene->output.frames) / s->scene->time_end,
-                             .range = s->view.range,
-                             .lane = lane,
-                             .n_lanes = s->n,
-                             .chart = s->scene->output.curve ? &chart : NULL,
-                             .caption = still ? lesson->sentence : NULL,
-                             .check = check,
-                             .n_checks = n_checks};
-    tr_draw_show(canvas, &picture);
 }
 
 static bool keep_still(show *s, tr_status *st) {
     char path[TR_PATH];
     s->has_still = true;
-    draw(s, s->out.film.canvas, true);
+    tr_picture_draw(s->out.film.canvas, &s->cast, &s->view, s->result, s->n_results);
     return tr_dir_path(path, s->options->dir, "still.png", st) && tr_canvas_png(s->out.film.canvas, path, st);
 }
 
 /* ---- the run ---- */
 
 static bool write_rows(show *s, tr_status *st) {
-    for (int i = 0; i < s->n; i++) {
-        const tr_play *p = s->play[i];
+    for (int i = 0; i < s->cast.n; i++) {
+        const tr_play *p = s->cast.play[i];
         for (int disk = 0; disk < p->b.world.disks.n; disk++) {
             tr_row row = {.shape = p->scene->shape};
-            if (s->n > 1) tr_row_add(&row, i, "scene");
+            if (s->cast.n > 1) tr_row_add(&row, i, "scene");
             tr_row_disk(&row, tr_play_time(p), &p->b.world, disk);
             if (!tr_row_write(&row, &s->out.history, st)) return false;
         }
@@ -168,9 +78,9 @@ static bool write_rows(show *s, tr_status *st) {
 
 static bool write_contacts(show *s, tr_status *st) {
     s->out.instants++;
-    for (int i = 0; i < s->n; i++) {
-        const tr_play *p = s->play[i];
-        if (!tr_outputs_contacts(&s->out, s->n > 1 ? i : -1, tr_play_time(p), -1, p->records, p->n_records, st))
+    for (int i = 0; i < s->cast.n; i++) {
+        const tr_play *p = s->cast.play[i];
+        if (!tr_outputs_contacts(&s->out, s->cast.n > 1 ? i : -1, tr_play_time(p), -1, p->records, p->n_records, st))
             return false;
     }
     return true;
@@ -178,19 +88,19 @@ static bool write_contacts(show *s, tr_status *st) {
 
 static bool look(show *s, unsigned due, tr_status *st) {
     double start = tr_run_clock();
-    for (int i = 0; i < s->n; i++) {
-        tr_play *p = s->play[i];
+    for (int i = 0; i < s->cast.n; i++) {
+        tr_play *p = s->cast.play[i];
         if (!tr_play_look(p, st)) return false;
-        if (s->rehearsal) widen_view(&s->view, p);
+        if (s->rehearsal) tr_picture_widen(&s->view, p);
     }
     if (s->rehearsal) return s->out.film.frames++, true;
     if (due & TR_DUE_ROW && !write_rows(s, st)) return false;
     if (due & TR_DUE_CONTACTS && !write_contacts(s, st)) return false;
     if (due & TR_DUE_FRAME) {
-        const tr_play *p = s->play[s->leader];
+        const tr_play *p = s->cast.play[s->cast.leader];
         if (!s->has_still && tr_play_time(p) > s->scene->output.still - 0.5 * p->b.world.dt && !keep_still(s, st))
             return false;
-        draw(s, s->out.film.canvas, false);
+        tr_picture_draw(s->out.film.canvas, &s->cast, &s->view, NULL, 0);
         if (!tr_film_frame(&s->out.film, st)) return false;
     }
     s->out.seconds += tr_run_clock() - start;
@@ -198,16 +108,16 @@ static bool look(show *s, unsigned due, tr_status *st) {
 }
 
 static bool play(show *s, tr_status *st) {
-    int64_t total = s->play[s->leader]->b.steps;
+    int64_t total = s->cast.play[s->cast.leader]->b.steps;
     for (int64_t k = 0; k <= total; k++) {
-        double time = tr_play_time(s->play[s->leader]);
+        double time = tr_play_time(s->cast.play[s->cast.leader]);
         if (tr_run_stopped(s->options) && s->rehearsal)
             return tr_status_fail(st, TR_INTERRUPTED, "stopped in the rehearsal; %s holds case.yaml only",
                                   s->options->dir);
         if (tr_run_stopped(s->options))
             return tr_status_fail(st, TR_INTERRUPTED, "stopped at time %.4g s of %g s", time, s->scene->time_end);
-        for (int i = 0; i < s->n; i++)
-            if (!tr_play_to(s->play[i], k * s->play[i]->b.steps / total, st)) return false;
+        for (int i = 0; i < s->cast.n; i++)
+            if (!tr_play_to(s->cast.play[i], k * s->cast.play[i]->b.steps / total, st)) return false;
         unsigned due = tr_outputs_due(&s->out, k, total) & (s->rehearsal ? TR_DUE_FRAME : ~0u);
         if (due && !look(s, due, st)) return false;
         if (k % 256 == 0) tr_run_progress(s->options, s->rehearsal ? "rehearsal" : "run", (double)k / (double)total);
@@ -217,35 +127,21 @@ static bool play(show *s, tr_status *st) {
 
 static void take_results(show *s) {
     s->n_results = 0;
-    for (int i = 0; i < s->n; i++) {
-        tr_checks_results(&s->play[i]->checks, &s->result[s->n_results]);
-        s->n_results += s->play[i]->scene->n_checks;
+    for (int i = 0; i < s->cast.n; i++) {
+        tr_checks_results(&s->cast.play[i]->checks, &s->result[s->n_results]);
+        s->n_results += s->cast.play[i]->scene->n_checks;
     }
-}
-
-/* The curves, with a margin, and 0. */
-static void set_curve_range(show *s) {
-    s->view.bottom = s->view.top = 0;
-    for (int i = 0; i < s->n; i++)
-        for (int j = 0; j < 2; j++)
-            for (int k = 0; k < s->play[i]->n; k++) widen(&s->view.bottom, &s->view.top, s->play[i]->value[j][k]);
-    if (s->scene->output.curve == TR_CURVE_CREEPAGE) s->view.top = 0;
-    for (int i = 0; i < s->n; i++) s->view.top = fmax(s->view.top, s->play[i]->creepage);
-    double margin = 0.05 * (s->view.top - s->view.bottom);
-    s->view.top += margin, s->view.bottom -= s->view.bottom < 0 ? margin : 0;
 }
 
 /* The film's box, from a run without outputs. Where this one breaks down the run will, with what it has written. */
 static bool rehearse(show *s, tr_status *st) {
     s->rehearsal = true;
     s->out.scene = s->scene;
-    s->view = (film_view){.x0 = INFINITY, .y0 = INFINITY, .x1 = -INFINITY, .y1 = -INFINITY};
+    s->view = tr_picture_empty();
     bool ok = open_plays(s, st) && play(s, st);
-    for (int i = 0; i < s->n && ok; i++) s->most[i] = tr_recorder_most(&s->play[i]->b.world, st), ok = !st->code;
-    if (ok) set_curve_range(s);
-    /* Room for what lies around the disks: hatching of a floor, arcs along it. */
-    double margin = 0.08 * fmax(s->view.x1 - s->view.x0, s->view.y1 - s->view.y0);
-    s->view.x0 -= margin, s->view.x1 += margin, s->view.y0 -= margin, s->view.y1 += margin;
+    for (int i = 0; i < s->cast.n && ok; i++)
+        s->most[i] = tr_recorder_most(&s->cast.play[i]->b.world, st), ok = !st->code;
+    if (ok) tr_picture_settle(&s->view, &s->cast);
     if (st->code == TR_NUMERICAL) *st = (tr_status){0}, ok = true;
     return ok;
 }
@@ -254,30 +150,30 @@ static bool rehearse(show *s, tr_status *st) {
 static bool prepare(show *s, tr_status *st) {
     bool rehearsed = s->scene->output.frames || tr_recorder_wants_most(s->scene);
     if (!(rehearsed ? rehearse(s, st) : open_plays(s, st))) return false;
-    for (int i = 0; i < s->n; i++)
-        if (!tr_checks_thresholds(&s->play[i]->checks, s->options, st)) return false;
+    for (int i = 0; i < s->cast.n; i++)
+        if (!tr_checks_thresholds(&s->cast.play[i]->checks, s->options, st)) return false;
     take_results(s);
     if (!rehearsed) return true;
     tr_checks found[TR_MAX_LANES];
-    for (int i = 0; i < s->n; i++) found[i] = s->play[i]->checks, s->play[i]->checks = (tr_checks){0};
+    for (int i = 0; i < s->cast.n; i++) found[i] = s->cast.play[i]->checks, s->cast.play[i]->checks = (tr_checks){0};
     close_plays(s);
     s->out = (tr_outputs){0};
     s->rehearsal = false;
     bool ok = open_plays(s, st);
-    for (int i = 0; i < s->n; i++) {
-        if (ok) tr_checks_adopt(&s->play[i]->checks, &found[i]);
+    for (int i = 0; i < s->cast.n; i++) {
+        if (ok) tr_checks_adopt(&s->cast.play[i]->checks, &found[i]);
         tr_checks_free(&found[i]);
     }
     return ok;
 }
 
 static bool open_outputs(show *s, tr_status *st) {
-    int64_t total = s->play[s->leader]->b.steps;
+    int64_t total = s->cast.play[s->cast.leader]->b.steps;
     if (!tr_outputs_open(&s->out, s->scene, s->options, "bodies.mp4", total, s->report, st)) return false;
-    for (int i = 0; i < s->n; i++) {
-        tr_play *p = s->play[i];
+    for (int i = 0; i < s->cast.n; i++) {
+        tr_play *p = s->cast.play[i];
         char prefix[8] = "";
-        if (s->n > 1) snprintf(prefix, sizeof prefix, "%d-", i);
+        if (s->cast.n > 1) snprintf(prefix, sizeof prefix, "%d-", i);
         if (!tr_recorder_open(&p->recorder, s->scene, s->most[i], &p->b.world, s->options->dir, prefix, s->report, st))
             return false;
         tr_status why = {0};
@@ -289,9 +185,9 @@ static bool open_outputs(show *s, tr_status *st) {
 
 static void report_bodies(show *s, const tr_timing *timing) {
     tr_run_report *r = s->report;
-    for (int i = 0; i < s->n; i++) {
-        const tr_play *p = s->play[i];
-        if (s->n > 1) tr_run_say(r, "scene", "%s", *p->scene->label ? p->scene->label : "(no label)");
+    for (int i = 0; i < s->cast.n; i++) {
+        const tr_play *p = s->cast.play[i];
+        if (s->cast.n > 1) tr_run_say(r, "scene", "%s", *p->scene->label ? p->scene->label : "(no label)");
         tr_run_say(r, "disks, walls", "%d, %d", p->scene->n_disks, p->scene->n_walls);
         if (isinf(p->b.dt_bound))
             tr_run_say(r, "time step", "%.3g s, no bound: nothing that touches can vibrate", p->b.world.dt);
@@ -300,7 +196,7 @@ static void report_bodies(show *s, const tr_timing *timing) {
         tr_run_say(r, "steps", "%lld", (long long)p->b.steps);
     }
     tr_run_say(r, "time", "%g s", s->scene->time_end);
-    for (int i = 0; i < s->n_results; i++) tr_run_say_check(r, &s->result[i], s->n > 1);
+    for (int i = 0; i < s->n_results; i++) tr_run_say_check(r, &s->result[i], s->cast.n > 1);
     tr_run_say(r, "wall time", "%.1f s", timing->wall_s);
 }
 
@@ -317,7 +213,7 @@ bool tr_run_check_bodies(const tr_scene *scene, tr_status *st) {
 
 static bool summarise(show *s, const tr_timing *timing, tr_status *st) {
     const tr_bodies *b[TR_MAX_LANES];
-    for (int i = 0; i < s->n; i++) b[i] = &s->play[i]->b;
+    for (int i = 0; i < s->cast.n; i++) b[i] = &s->cast.play[i]->b;
     char *text = tr_summary_bodies(s->scene, b, s->result, s->n_results, timing, st);
     bool ok = text && tr_file_write(s->options->dir, "summary.json", text, st);
     free(text);
@@ -327,16 +223,17 @@ static bool summarise(show *s, const tr_timing *timing, tr_status *st) {
 bool tr_run_bodies(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st) {
     show *s = tr_alloc(1, sizeof *s, st);
     if (!s) return false;
-    s->scene = scene, s->options = options, s->report = report, s->n = 1 + scene->n_more;
+    s->scene = scene, s->options = options, s->report = report;
+    s->cast = (tr_cast){.scene = scene, .title = options->title, .n = 1 + scene->n_more};
     double started = tr_run_clock();
     bool ok = tr_run_check_bodies(scene, st) && tr_run_open(scene, options, st) && prepare(s, st);
     if (ok) {
         double playing = tr_run_clock(), updates = 0;
         if (open_outputs(s, st)) play(s, st);
         double stepping = tr_run_clock() - playing - s->out.seconds;
-        for (int i = 0; i < s->n; i++) {
-            tr_recorder_close(&s->play[i]->recorder, st);
-            updates += (double)s->play[i]->b.world.contact_updates;
+        for (int i = 0; i < s->cast.n; i++) {
+            tr_recorder_close(&s->cast.play[i]->recorder, st);
+            updates += (double)s->cast.play[i]->b.world.contact_updates;
         }
         take_results(s);
         tr_timing timing = {tr_run_clock() - started, updates / stepping};

@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: MIT */
+/* From scenes that play side by side to the picture that draw/ makes of them: one box, one range of speeds and of curves for
+ * the whole film, so that the picture stands still while the bodies move. */
+#ifndef TR_PICTURE_H
+#define TR_PICTURE_H
+
+#include "out/summary.h"
+#include "study/play.h"
+
+enum { TR_MAX_CHECKS = 32 }; /* of a scene; see scene/tables.c */
+
+typedef struct tr_cast {
+    const tr_scene *scene; /* the first; its lesson and output are those of all */
+    const char *title;     /* where the lesson has none */
+    tr_play *play[TR_MAX_LANES];
+    int n, leader; /* scenes; the one with the most steps, which gives the time */
+} tr_cast;
+
+/* Found by a run without outputs: box in the turned plane [m], speeds [m/s], values of the curves. */
+typedef struct tr_view_box {
+    double x0, x1, y0, y1, range, bottom, top;
+} tr_view_box;
+
+tr_view_box tr_picture_empty(void);
+
+/* Holds what plays now, too. Call it where there will be a frame. */
+void tr_picture_widen(tr_view_box *view, const tr_play *play);
+
+/* At the end: curves, and room for what lies around the disks (hatching of a floor, arcs along it). */
+void tr_picture_settle(tr_view_box *view, const tr_cast *cast);
+
+/* A frame of the film; with results the still, which has its sentence and the numbers of its checks. */
+void tr_picture_draw(tr_canvas *canvas, const tr_cast *cast, const tr_view_box *view, const tr_check_result *result,
+                     int n_results);
+
+#endif
