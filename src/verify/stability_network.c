@@ -136,7 +136,7 @@ static void disturb(tr_network *net, double dt) {
     for (int k = 0; k < 4 * w->disks.n; k++)
         w->disks.vel[k] = TINY * SMALLEST / dt * sqrt(w->disks.inv[k] / inv) * (2 * tr_random_uniform(&r) - 1);
     for (int k = 0; k < 2; k++)
-        for (int h = 0; h < w->group[k].n_hist; h++)
+        for (int h = 0; h < w->group[k].n_hist && w->group[k].n > 0; h++)
             memset(w->group[k].hist[h], 0, (size_t)w->group[k].n * sizeof(double));
     w->dt = dt, w->fresh = w->stale = true;
 }
