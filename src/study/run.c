@@ -192,10 +192,11 @@ bool tr_outputs_row(tr_outputs *o, const tr_row *row, tr_status *st) {
 
 bool tr_outputs_contacts(tr_outputs *o, int number, double time, double strain, const tr_record *records, int n,
                          tr_status *st) {
+    const tr_record none = {0};
     for (int i = -1; i < n; i++) { /* the first for the header */
         tr_row row = {.shape = o->scene->shape};
         if (number >= 0) tr_row_add(&row, number, "scene");
-        tr_row_contact(&row, time, strain, i < 0 ? &(tr_record){0} : &records[i]);
+        tr_row_contact(&row, time, strain, i < 0 ? &none : &records[i]);
         if (i < 0)
             tr_row_header(&row, &o->contacts);
         else if (!tr_row_write(&row, &o->contacts, st))

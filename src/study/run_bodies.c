@@ -43,6 +43,7 @@ static void close_plays(show *s) {
 }
 
 static bool open_plays(show *s, tr_status *st) {
+    assert(s->cast.n > 0);
     s->cast.leader = 0;
     for (int i = 0; i < s->cast.n; i++) {
         s->cast.play[i] = tr_alloc(1, sizeof *s->cast.play[i], st);

@@ -108,7 +108,7 @@ bool tr_exact_packing(tr_verify *v, tr_status *st) {
                                "contact: {k_n: 160 MPa, mu: 0.5, rolling: wang-spring, mu_r: 0.5}\n"
                                "compaction: {pressure: 160 kPa, inertial_number: 0.1, unbalanced: 1e-2}\n"
                                "shear: {inertial_number: 2e-3, strain_end: 0.02}\noutput: {energy: yes}\n";
-    tr_energy e;
+    tr_energy e = {0};
     tr_scene scene;
     tr_biaxial b;
     if (!tr_scene_read(&scene, "packing", text, strlen(text), NULL, 0, tr_laws_catalog(), st)) return false;

@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Plays the scene and gives its checks their names. order: of the first of them. */
+/* Plays the scene and gives its checks their names, which end with NULL. order: of the first of them. */
 static bool rows(tr_verify *v, const char *text, const char *const *quantity, double order, const char *reason,
                  tr_status *st) {
     enum { MOST = 4 };
@@ -17,7 +17,7 @@ static bool rows(tr_verify *v, const char *text, const char *const *quantity, do
     tr_check_result result[MOST] = {{0}};
     if (!tr_scene_read(&scene, v->now->name, text, strlen(text), NULL, 0, tr_laws_catalog(), st)) return false;
     bool ok = tr_verify_play(v, &scene, 0, result, st) && tr_verify_go_on(v, st);
-    for (int k = 0; ok && k < scene.n_checks; k++) {
+    for (int k = 0; ok && k < scene.n_checks && quantity[k]; k++) {
         const tr_scene_check *c = &scene.checks[k];
         ok = tr_exact_row(v, quantity[k], tr_scene_what(c->what, scene.shape).unit, result[k].measured, c->exact,
                           c->tolerance, k == 0 ? order : NAN, reason, st);
@@ -43,7 +43,7 @@ static void thrown(char text[1600], double k_n) {
 
 /* The contact is a spring: the rigid disk is the limit of k_n to infinity, with the step that goes with it. */
 bool tr_exact_slip_to_roll(tr_verify *v, tr_status *st) {
-    static const char *const quantity[] = {"time when slipping ends", "speed then", "share of the energy lost"};
+    static const char *const quantity[] = {"time when slipping ends", "speed then", "share of the energy lost", NULL};
     char text[1600];
     double error[2];
     for (int h = 0; h < 2; h++) {
@@ -93,8 +93,8 @@ static bool on_slope(tr_verify *v, const char *law, double slope, const char *ch
 
 bool tr_exact_incline(tr_verify *v, tr_status *st) {
     static const char *const rolling[] = {"acceleration, rolling", "slope from which it slips",
-                                          "slope from which it rolls"},
-                             *const slipping[] = {"acceleration, slipping"};
+                                          "slope from which it rolls", NULL},
+                             *const slipping[] = {"acceleration, slipping", NULL};
     const double mu = 0.3, mu_r = 0.1;
     const struct resistance *r = resistances;
     while (strcmp(r->law, tr_exact_of(v, "incline-"))) r++;
@@ -116,7 +116,7 @@ bool tr_exact_incline(tr_verify *v, tr_status *st) {
 }
 
 bool tr_exact_no_spin(tr_verify *v, tr_status *st) {
-    static const char *const quantity[] = {"acceleration", "slope from which it slips", "spin"};
+    static const char *const quantity[] = {"acceleration", "slope from which it slips", "spin", NULL};
     char checks[400];
     double slope = atan(0.36);
     snprintf(checks, sizeof checks,
@@ -151,7 +151,7 @@ bool tr_exact_coasting(tr_verify *v, tr_status *st) {
         "vx: 1 m/s, spin: -vx/radius}]\nwalls: [{nx: 0, ny: 1}]\nchecks:\n"
         "  - {what: stop-distance, exact: 3/(4*%g)*disks.0.vx^2/(contact.mu_r*9.81 m/s^2)%s, tolerance: 0.002*exact}\n",
         brakes[k].law, brakes[k].more, brakes[k].lever, brakes[k].way);
-    static const char *const quantity[] = {"way to rest"};
+    static const char *const quantity[] = {"way to rest", NULL};
     return rows(v, text, quantity, NAN, "the brake loads friction's spring in a swing, which takes g/w_t, 0.1 % of v0",
                 st);
 }
