@@ -10,13 +10,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_SETS = 256, CHECK = 1000, SEED, FRAMES, SET, FORCE };
+enum { MAX_SETS = 256, CHECK = 1000, SEED, FRAMES, SET, FORCE, RESUME, CHECKPOINT };
 
 typedef struct arguments {
     const char *file, *dir;
     const char *set[MAX_SETS];
     int n_set;
-    bool force, check;
+    bool force, check, resume;
+    double checkpoint;
     char *owned[MAX_SETS]; /* texts made of --seed and --frames */
     int n_owned;
 } arguments;
@@ -27,6 +28,12 @@ static const struct argp_option options[] = {
     {"set", SET, "KEY=VALUE", 0, "override a key of the case: --set shear.inertial_number=1e-4", 0},
     {"seed", SEED, "S", 0, "short for --set seed=S", 0},
     {"frames", FRAMES, "N", 0, "short for --set output.frames=N", 0},
+    {"resume", RESUME, NULL, 0,
+     "go on with what was stopped in that directory, to the same bytes; a finished run is left as it is (kinds but "
+     "biaxial, "
+     "and what has no checkpoint yet, start afresh)",
+     0},
+    {"checkpoint", CHECKPOINT, "SECONDS", 0, "time between two checkpoints of a biaxial test (default: 60)", 0},
     {"check", CHECK, NULL, 0, "only check the case", 0},
     {0},
 };
@@ -45,12 +52,24 @@ static void add_short(arguments *a, const char *key, const char *value, struct a
 
 static error_t parse(int key, char *value, struct argp_state *state) {
     arguments *a = state->input;
+    char *end;
     switch (key) {
     case 'o':
         a->dir = value;
         break;
     case FORCE:
         a->force = true;
+        break;
+    case RESUME:
+        a->resume = true;
+        break;
+    case CHECKPOINT:
+        a->checkpoint = strtod(value, &end);
+        if (end == value || *end || !(a->checkpoint >= 0))
+            argp_error(state, "--checkpoint takes seconds, not %s", value);
+        break;
+    case ARGP_KEY_END:
+        if (a->resume && a->force) argp_error(state, "--resume keeps what is there, --force replaces it");
         break;
     case CHECK:
         a->check = true;
@@ -106,6 +125,8 @@ static int run(const arguments *a) {
                                   .case_file = a->file,
                                   .title = name,
                                   .force = a->force,
+                                  .resume = a->resume,
+                                  .checkpoint = a->checkpoint,
                                   .stop = tr_cli_stop(),
                                   .progress = tr_progress_show,
                                   .context = &progress};
@@ -122,7 +143,7 @@ static int run(const arguments *a) {
 }
 
 int tr_cli_run(int argc, char **argv) {
-    arguments a = {0};
+    arguments a = {.checkpoint = 60};
     argp_err_exit_status = TR_BAD_CASE;
     const struct argp argp = {
         options, parse, "CASE.yaml", "Runs a case file and writes curves, tables, frames and a film.", 0, 0, 0};

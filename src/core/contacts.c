@@ -13,8 +13,7 @@
 
 enum { BEHIND = 3 }; /* gather reads four contacts at a time: valid ids behind the end of the list */
 
-/* Room for n contacts in the list and in the old one, and BEHIND; what they hold is kept. */
-static bool group_reserve(tr_group *g, int n, tr_status *st) {
+bool tr_contacts_reserve(tr_group *g, int n, tr_status *st) {
     if (n + BEHIND <= g->capacity) return true;
     size_t now = (size_t)g->n, old = (size_t)g->old_n, grown = (size_t)n + (size_t)n / 4 + TR_TILE;
     bool ok = tr_alloc_grow(&g->a, now, grown, sizeof(int), st) && tr_alloc_grow(&g->b, now, grown, sizeof(int), st) &&
@@ -107,7 +106,7 @@ static bool refresh_walls(tr_world *world, tr_status *st) {
         for (int i = 0; i < world->disks.n; i++) {
             const double *pos = world->disks.pos + 4 * (size_t)i;
             if (tr_contacts_wall_distance(&world->wall[w], pos) - pos[3] >= world->thin_skin) continue;
-            if (!group_reserve(g, g->n + 1, st)) return false;
+            if (!tr_contacts_reserve(g, g->n + 1, st)) return false;
             group_append(world, g, w, i, &old);
         }
     return true;
@@ -115,7 +114,7 @@ static bool refresh_walls(tr_world *world, tr_status *st) {
 
 static bool refresh_disks(tr_world *world, tr_status *st) {
     tr_group *g = &world->group[0];
-    if (!group_reserve(g, world->near.n, st)) return false;
+    if (!tr_contacts_reserve(g, world->near.n, st)) return false;
     int old = 0;
     group_begin(g);
     for (int i = 0; i < world->near.n; i++) {

@@ -116,3 +116,17 @@ bool tr_canvas_png(const tr_canvas *canvas, const char *path, tr_status *st) {
     free(part);
     return ok;
 }
+
+bool tr_canvas_load(tr_canvas *canvas, const char *path, tr_status *st) {
+    cairo_surface_t *picture = cairo_image_surface_create_from_png(path);
+    cairo_status_t read = cairo_surface_status(picture);
+    cairo_save(canvas->cr);
+    cairo_identity_matrix(canvas->cr);
+    cairo_set_operator(canvas->cr, CAIRO_OPERATOR_SOURCE);
+    cairo_set_source_surface(canvas->cr, picture, 0, 0);
+    cairo_paint(canvas->cr);
+    cairo_restore(canvas->cr);
+    cairo_surface_destroy(picture);
+    return read == CAIRO_STATUS_SUCCESS ||
+           tr_status_fail(st, TR_FILE, "error: cannot read %s: %s", path, cairo_status_to_string(read));
+}

@@ -49,6 +49,7 @@ void tr_canvas_free(tr_canvas *canvas);
 const unsigned char *tr_canvas_pixels(const tr_canvas *canvas);
 
 /* Writes path.part, then renames it to path. On failure TR_FILE: path is as it was, no part is left. */
+bool tr_canvas_load(tr_canvas *canvas, const char *path, tr_status *st); /* shows what tr_canvas_png has written */
 bool tr_canvas_png(const tr_canvas *canvas, const char *path, tr_status *st);
 
 /* Biaxial test: world->wall is bottom, top, left, right. A wall with mass is drawn as loaded, one without as driven. */

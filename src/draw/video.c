@@ -39,8 +39,8 @@ static char *url_of(const char *path, tr_status *st) {
     return url ? strcat(strcpy(url, "file:"), path) : NULL;
 }
 
-/* input: -1 for none */
-static bool spawn(pid_t *pid, const char *const args[], int input, int log, tr_status *st) {
+/* part: what it writes. input: -1 for none */
+static bool spawn(pid_t *pid, const char *const args[], const char *part, int input, int log, tr_status *st) {
     posix_spawn_file_actions_t files;
     posix_spawnattr_t attr;
     posix_spawn_file_actions_init(&files);
@@ -49,9 +49,12 @@ static bool spawn(pid_t *pid, const char *const args[], int input, int log, tr_s
     posix_spawn_file_actions_adddup2(&files, log, 1);
     posix_spawn_file_actions_adddup2(&files, log, 2);
     posix_spawnattr_setflags(&attr, POSIX_SPAWN_SETPGROUP);
+    int lock = tr_program_lock(part);
     int error = posix_spawnp(pid, "ffmpeg", &files, &attr, (char *const *)args, environ);
     posix_spawn_file_actions_destroy(&files);
     posix_spawnattr_destroy(&attr);
+    if (lock >= 0) close(lock);
+    if (error) remove(part);
     return error == 0 || tr_status_fail(st, TR_FILE, "error: cannot start ffmpeg: %s", strerror(error));
 }
 
@@ -65,7 +68,7 @@ static bool start(tr_video *v, int input, int frames_per_second, tr_status *st) 
                           "-c:v",    "libx264",  "-preset",   "veryfast", "-threads",  "2",         "-pix_fmt",
                           "yuv420p", "-flags:v", "+bitexact", "-fflags",  "+bitexact", "-movflags", "+faststart",
                           "-f",      "mp4",      "-y",        url,        NULL};
-    bool ok = url && spawn(&v->pid, args, input, v->log, st);
+    bool ok = url && spawn(&v->pid, args, v->part, input, v->log, st);
     free(url);
     return ok;
 }
@@ -168,7 +171,7 @@ static bool run_gif(const char *film, const char *part, int log, int frames_per_
                           from,      "-filter_complex", filter,      "-loop", "0",  "-flags:v", "+bitexact",
                           "-fflags", "+bitexact",       "-f",        "gif",   "-y", to,         NULL};
     pid_t pid;
-    bool ok = from && to && spawn(&pid, args, -1, log, st) && succeeds(pid, log, said, size);
+    bool ok = from && to && spawn(&pid, args, part, -1, log, st) && succeeds(pid, log, said, size);
     free(from);
     free(to);
     return ok;

@@ -9,11 +9,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* All that a run writes, the mark of a finished run first: an interrupted removal leaves an unfinished run. */
-static const char *const results[] = {"summary.json", "history.csv", "contacts.csv", "case.yaml",   "plot.gp",
-                                      "biaxial.svg",  "biaxial.png", "biaxial.mp4",  "biaxial.gif", "bodies.mp4",
-                                      "bodies.gif",   "contact.csv", "contact.svg",  "contact.png", "patch.csv",
-                                      "patch.mp4",    "patch.gif",   "still.png"};
+/* All that a run writes, the mark of a finished run first, then what counts on the rest: an interrupted removal leaves an
+ * unfinished run that starts afresh. */
+static const char *const results[] = {
+    "summary.json", "checkpoint.bin", "checkpoint.bin.old", "history.csv", "contacts.csv", "case.yaml",  "plot.gp",
+    "biaxial.svg",  "biaxial.png",    "biaxial.mp4",        "biaxial.gif", "bodies.mp4",   "bodies.gif", "contact.csv",
+    "contact.svg",  "contact.png",    "patch.csv",          "patch.mp4",   "patch.gif",    "still.png"};
 
 bool tr_dir_path(char path[TR_PATH], const char *dir, const char *name, tr_status *st) {
     if (snprintf(path, TR_PATH, "%s/%s", dir, name) < TR_PATH) return true;
@@ -92,14 +93,45 @@ bool tr_dir_make(const char *dir, const char *name, tr_status *st) {
     return tr_dir_path(path, dir, name, st) && make(path, st);
 }
 
-bool tr_file_open(tr_file *file, const char *dir, const char *name, tr_status *st) {
+static bool open_part(tr_file *file, const char *dir, const char *name, const char *mode, tr_status *st) {
     *file = (tr_file){0};
     if (!tr_dir_path(file->path, dir, name, st) || !(file->part = tr_part_name(file->path, st))) return false;
-    file->stream = fopen(file->part, "w");
+    if (*mode == 'a' && access(file->part, F_OK)) rename(file->path, file->part);
+    file->stream = fopen(file->part, mode);
     if (file->stream) return true;
     tr_status_fail(st, TR_FILE, "error: cannot write %s: %s", file->part, strerror(errno));
     free(file->part);
     return false;
+}
+
+bool tr_file_open(tr_file *file, const char *dir, const char *name, tr_status *st) {
+    return open_part(file, dir, name, "w", st);
+}
+
+bool tr_file_reopen(tr_file *file, const char *dir, const char *name, tr_status *st) {
+    if (!open_part(file, dir, name, "a", st)) return false;
+    fseek(file->stream, 0, SEEK_END);
+    file->kept = ftell(file->stream); /* all of it, until it is known better */
+    return true;
+}
+
+void tr_file_checkpoint(tr_file *file, tr_checkpoint *c) {
+    if (!file->stream || c->st->code) return;
+    bool ok = c->loading || (!fflush(file->stream) && !fsync(fileno(file->stream)));
+    long length = ftell(file->stream);
+    TR_KEEP(c, &length, 1);
+    if (c->loading && length > file->kept)
+        tr_status_fail(c->st, TR_FILE, "error: %s is shorter than the checkpoint says: %ld bytes of %ld", file->part,
+                       file->kept, length);
+    if (c->st->code) return;
+    if (c->loading) ok = !ftruncate(fileno(file->stream), length) && !fseek(file->stream, 0, SEEK_END);
+    if (!ok) tr_status_fail(c->st, TR_FILE, "error: cannot write %s: %s", file->path, strerror(errno));
+    if (ok) file->kept = length;
+}
+
+static void drop(tr_file *file) {
+    if (!file->kept || truncate(file->part, file->kept)) unlink(file->part);
+    free(file->part);
 }
 
 bool tr_file_check(tr_file *file, tr_status *st) {
@@ -114,10 +146,11 @@ bool tr_file_commit(tr_file *file, tr_status *st) {
     bool synced = !fsync(fileno(file->stream));
     bool closed = !fclose(file->stream);
     file->stream = NULL;
-    bool ok = synced && closed ? tr_part_keep(file->part, file->path, st)
-                               : tr_status_fail(st, TR_FILE, "error: cannot write %s: %s", file->path, strerror(errno));
-    if (!ok) unlink(file->part);
-    free(file->part);
+    bool ok = synced && closed && !rename(file->part, file->path);
+    if (ok)
+        free(file->part);
+    else
+        tr_status_fail(st, TR_FILE, "error: cannot write %s: %s", file->path, strerror(errno)), drop(file);
     return ok;
 }
 
@@ -125,8 +158,7 @@ void tr_file_discard(tr_file *file) {
     if (!file->stream) return;
     fclose(file->stream);
     file->stream = NULL;
-    unlink(file->part);
-    free(file->part);
+    drop(file);
 }
 
 bool tr_file_write(const char *dir, const char *name, const char *text, tr_status *st) {

@@ -4,7 +4,7 @@
 #ifndef TR_DIR_H
 #define TR_DIR_H
 
-#include "base/status.h"
+#include "base/checkpoint.h"
 #include <stdio.h>
 
 enum { TR_PATH = 4096 };
@@ -13,6 +13,7 @@ typedef struct tr_file {
     FILE *stream;       /* NULL: not open */
     char path[TR_PATH]; /* final name */
     char *part;         /* name while it grows */
+    long kept;          /* bytes that a checkpoint counts on; 0: there is none */
 } tr_file;
 
 /* Makes the directory (and its parents). A finished run is refused with TR_FILE unless force; with force the results of
@@ -26,9 +27,15 @@ bool tr_dir_path(char path[TR_PATH], const char *dir, const char *name, tr_statu
 bool tr_dir_make(const char *dir, const char *name, tr_status *st);
 
 bool tr_file_open(tr_file *file, const char *dir, const char *name, tr_status *st);
+/* Goes on with a file that a stopped run has left, with or without its final name; tr_file_checkpoint then cuts it. */
+bool tr_file_reopen(tr_file *file, const char *dir, const char *name, tr_status *st);
 bool tr_file_check(tr_file *file, tr_status *st);  /* flush; a full disk shows here */
-bool tr_file_commit(tr_file *file, tr_status *st); /* close and give it its name; on failure the part is removed */
-void tr_file_discard(tr_file *file);               /* close and remove; nothing if not open */
+bool tr_file_commit(tr_file *file, tr_status *st); /* close and give it its name; on failure it is discarded */
+/* Closes and removes it, or cuts it back to what a checkpoint counts on; nothing if not open. */
+void tr_file_discard(tr_file *file);
+
+/* Its length: what there is goes to the disk; to load, the rest is cut off. Nothing if not open. */
+void tr_file_checkpoint(tr_file *file, tr_checkpoint *c);
 
 /* A whole file at once. */
 bool tr_file_write(const char *dir, const char *name, const char *text, tr_status *st);

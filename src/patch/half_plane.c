@@ -132,3 +132,17 @@ bool tr_half_plane_step(tr_half_plane *o, const tr_patch_step *step, tr_status *
     if (!ok) tr_patch_state_clear(&o->s);
     return ok;
 }
+
+void tr_half_plane_checkpoint(tr_half_plane *o, tr_checkpoint *c) {
+    tr_patch_state *s = &o->s;
+    double P = s->P;
+    TR_KEEP(c, &P, 1);
+    if (!c->st->code && P > 0) set_grid(o, P, c->st);
+    TR_KEEP(c, s->tau, s->n);
+    TR_KEEP(c, s->slip, s->n);
+    TR_KEEP(c, s->side, s->n);
+    TR_KEEP(c, &s->Q, 1);
+    TR_KEEP(c, &s->du, 1);
+    TR_KEEP(c, &s->dissipated, 1);
+    TR_KEEP(c, &o->force_before, 1);
+}

@@ -24,6 +24,7 @@
 #ifndef TR_PATCH_HALF_PLANE_H
 #define TR_PATCH_HALF_PLANE_H
 
+#include "base/checkpoint.h"
 #include "patch/patch.h"
 
 typedef struct tr_half_plane tr_half_plane;
@@ -35,6 +36,9 @@ void tr_half_plane_free(tr_half_plane *o);
 /* Fails as tr_patch_step_check does, at a >= d, and where the solution does not converge (TR_NUMERICAL, with the
  * residual). After a failure the contact is open. */
 bool tr_half_plane_step(tr_half_plane *o, const tr_patch_step *step, tr_status *st);
+
+/* Tractions, slip and what the next step begins with; grid and matrices follow from P. To load: into a new one. */
+void tr_half_plane_checkpoint(tr_half_plane *o, tr_checkpoint *c);
 
 /* Valid until the next step. */
 const tr_patch_state *tr_half_plane_state(const tr_half_plane *o);

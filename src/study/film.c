@@ -34,6 +34,20 @@ bool tr_film_frame(tr_film *film, tr_status *st) {
     return !film->video || tr_video_frame(film->video, film->canvas, st);
 }
 
+void tr_film_checkpoint(tr_film *film, tr_checkpoint *c) {
+    char name[32], path[TR_PATH + 32];
+    TR_KEEP(c, &film->frames, 1);
+    for (; !c->st->code && film->synced < film->frames; film->synced++) {
+        snprintf(name, sizeof name, "frames/%05d.png", film->synced);
+        snprintf(path, sizeof path, "%s/%s", film->dir, name);
+        if (!c->loading)
+            tr_checkpoint_sync(film->dir, name, c->st);
+        else if (film->video && tr_canvas_load(film->canvas, path, c->st))
+            tr_video_frame(film->video, film->canvas, c->st);
+    }
+    if (!c->loading) tr_checkpoint_sync(film->dir, "frames", c->st);
+}
+
 /* NAME.gif of NAME.mp4 */
 static bool make_gif(const tr_film *film, tr_status *st) {
     char mp4[TR_PATH], gif[TR_PATH];

@@ -4,6 +4,7 @@
 #ifndef TR_STUDY_FILM_H
 #define TR_STUDY_FILM_H
 
+#include "base/checkpoint.h"
 #include "draw/draw.h"
 #include "study/run.h"
 
@@ -13,6 +14,7 @@ typedef struct tr_film {
     tr_video *video;   /* NULL: no ffmpeg */
     int rate;          /* frames a second */
     int frames;        /* written so far */
+    int synced;        /* of them, those that are on the disk for sure */
 } tr_film;
 
 /* How long a film of that many frames is [s]. */
@@ -23,6 +25,9 @@ bool tr_film_open(tr_film *film, const char *dir, const char *name, int frames, 
 
 /* Keeps what the canvas shows as the next frame. */
 bool tr_film_frame(tr_film *film, tr_status *st);
+
+/* How many there are; they go to the disk, and to load, once more to the film. */
+void tr_film_checkpoint(tr_film *film, tr_checkpoint *c);
 
 /* The film gets its name if there is a frame in it; true then. Failures, of the GIF too, go to st. */
 bool tr_film_close(tr_film *film, tr_status *st);

@@ -63,3 +63,12 @@ bool tr_inset_step(tr_inset *inset, tr_path_point now, tr_status *st) {
     }
     return !is_due(inset, now) || step_to(inset, now, st);
 }
+
+void tr_inset_checkpoint(tr_inset *inset, tr_checkpoint *c) {
+    bool open = inset->solver != NULL;
+    TR_KEEP(c, &open, 1);
+    if (!open) tr_inset_close(inset);
+    if (!inset->solver) return;
+    TR_KEEP(c, &inset->at, 1);
+    tr_half_plane_checkpoint(inset->solver, c);
+}

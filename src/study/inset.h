@@ -22,6 +22,9 @@ typedef struct tr_inset {
 bool tr_inset_open(tr_inset *inset, const tr_world *world, tr_scene_pick pick, tr_status *st);
 void tr_inset_close(tr_inset *inset);
 
+/* To load: after tr_inset_open. An inset that has failed since is closed. */
+void tr_inset_checkpoint(tr_inset *inset, tr_checkpoint *c);
+
 /* The contact has got to `now`; the solver stands less than a step behind. */
 bool tr_inset_step(tr_inset *inset, tr_path_point now, tr_status *st);
 

@@ -31,7 +31,7 @@ tr_scene_pick tr_recorder_most(tr_world *world, tr_status *st) {
 }
 
 bool tr_recorder_open(tr_recorder *r, const tr_scene *scene, tr_scene_pick most, tr_world *world, const char *dir,
-                      const char *prefix, tr_run_report *report, tr_status *st) {
+                      const char *prefix, bool resume, tr_run_report *report, tr_status *st) {
     const tr_scene_picks *picks = &scene->output.paths;
     *r = (tr_recorder){.shape = scene->shape, .dt = world->dt, .report = report};
     if (!picks->n) return true;
@@ -51,11 +51,26 @@ bool tr_recorder_open(tr_recorder *r, const tr_scene *scene, tr_scene_pick most,
             tr_run_note(report, "most-mobilised is %s; the case was run twice to find it", name);
         }
         int n = r->paths.picks.n;
-        if (!tr_file_open(&r->item[n].file, dir, file, st)) return false;
+        if (!(resume ? tr_file_reopen : tr_file_open)(&r->item[n].file, dir, file, st)) return false;
         r->paths.picks.item[r->paths.picks.n++] = pick;
     }
     tr_paths_attach(world, &r->paths);
     return true;
+}
+
+void tr_recorder_checkpoint(tr_recorder *r, tr_checkpoint *c) {
+    TR_KEEP(c, &r->steps, 1);
+    TR_KEEP(c, r->paths.now, r->paths.picks.n);
+    for (int k = 0; k < r->paths.picks.n; k++) {
+        struct tr_recorded *item = &r->item[k];
+        TR_KEEP(c, item->row, CHANNELS);
+        TR_KEEP(c, item->before, CHANNELS);
+        TR_KEEP(c, item->low, CHANNELS);
+        TR_KEEP(c, item->high, CHANNELS);
+        TR_KEEP(c, &item->row_step, 1);
+        TR_KEEP(c, &item->touched, 1);
+        tr_file_checkpoint(&item->file, c);
+    }
 }
 
 static bool write_point(const tr_recorder *r, struct tr_recorded *c, int64_t step, const double now[CHANNELS],

@@ -41,7 +41,9 @@ typedef struct tr_recorder {
 /* most: what most-mobilised stands for; a == b: there is none. prefix: of the names of the files. The recorder must not
  * move until it is closed. */
 bool tr_recorder_open(tr_recorder *r, const tr_scene *scene, tr_scene_pick most, tr_world *world, const char *dir,
-                      const char *prefix, tr_run_report *report, tr_status *st);
+                      const char *prefix, bool resume, tr_run_report *report, tr_status *st);
+/* After it, where resume says that the files are to go on. */
+void tr_recorder_checkpoint(tr_recorder *r, tr_checkpoint *c);
 bool tr_recorder_step(tr_recorder *r, tr_status *st);  /* after every tr_step_forces */
 void tr_recorder_close(tr_recorder *r, tr_status *st); /* whatever ended the run: rows are whole */
 

@@ -11,9 +11,38 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <time.h>
+#include <unistd.h>
+
+/* The file dir/name holds this text. */
+static bool holds(const char *dir, const char *name, const char *text, tr_status *st) {
+    char path[TR_PATH];
+    FILE *file = tr_dir_path(path, dir, name, st) ? fopen(path, "rb") : NULL;
+    bool same = file != NULL;
+    while (same && *text) same = fgetc(file) == (unsigned char)*text++;
+    same = same && fgetc(file) == EOF;
+    if (file) fclose(file);
+    return same;
+}
+
+/* A run that is to go on has reached its end already. One of another case is refused. */
+static bool finished(const tr_scene *scene, const tr_run_options *options, tr_status *st) {
+    char path[TR_PATH];
+    if (!options->resume || !tr_dir_path(path, options->dir, "summary.json", st) || access(path, F_OK)) return false;
+    char *resolved = tr_scene_write(scene, tr_laws_catalog(), st);
+    bool same = resolved && holds(options->dir, "case.yaml", resolved, st);
+    free(resolved);
+    if (!same)
+        tr_status_fail(st, TR_FILE, "error: %s holds a finished run of another case; give another -o", options->dir);
+    return same;
+}
 
 bool tr_run(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st) {
     *report = (tr_run_report){0};
+    if (finished(scene, options, st)) {
+        tr_checkpoint_remove(options->dir); /* if it was killed right before that */
+        return tr_run_note(report, "nothing to resume: this run is finished"), true;
+    }
+    if (st->code) return false;
     switch (scene->kind) {
     case TR_KIND_BIAXIAL:
         return tr_run_biaxial(scene, options, report, st);
@@ -50,10 +79,17 @@ static bool spare_case_file(const tr_run_options *options, tr_status *st) {
     return tr_status_fail(st, TR_FILE, "error: the run would write over its own case file %s; give another -o", path);
 }
 
-bool tr_run_open(const tr_scene *scene, const tr_run_options *options, tr_status *st) {
+bool tr_run_open(const tr_scene *scene, const tr_run_options *options, tr_checkpoint *c, tr_run_report *report,
+                 tr_status *st) {
+    tr_checkpoint none;
+    tr_status instead = {0};
     char *resolved = tr_scene_write(scene, tr_laws_catalog(), st);
-    bool ok = resolved && spare_case_file(options, st) && tr_dir_open(options->dir, options->force, st) &&
-              tr_file_write(options->dir, "case.yaml", resolved, st);
+    bool resume =
+        resolved && options->resume && tr_checkpoint_open(c ? c : &none, options->dir, resolved, &instead, st);
+    if (resume && instead.code) tr_run_note(report, "from the checkpoint before the last: %.150s", instead.text);
+    bool ok = resume ||
+              (resolved && !st->code && spare_case_file(options, st) && tr_dir_open(options->dir, options->force, st) &&
+               tr_file_write(options->dir, "case.yaml", resolved, st));
     free(resolved);
     return ok;
 }
@@ -175,13 +211,24 @@ void tr_run_progress(const tr_run_options *options, const char *stage, double fr
 }
 
 bool tr_outputs_open(tr_outputs *o, const tr_scene *scene, const tr_run_options *options, const char *film,
-                     int64_t total, tr_run_report *report, tr_status *st) {
+                     int64_t total, bool resume, tr_run_report *report, tr_status *st) {
+    bool (*open)(tr_file *, const char *, const char *, tr_status *) = resume ? tr_file_reopen : tr_file_open;
     *o = (tr_outputs){.scene = scene, .options = options};
     note_fewer(o, report, total);
-    if (!tr_file_open(&o->history, options->dir, "history.csv", st)) return false;
-    if (scene->output.contacts && !tr_file_open(&o->contacts, options->dir, "contacts.csv", st)) return false;
+    if (!open(&o->history, options->dir, "history.csv", st)) return false;
+    if (scene->output.contacts && !open(&o->contacts, options->dir, "contacts.csv", st)) return false;
     int frames = scene->output.frames ? rows_of(scene->output.frames, total) : 0;
     return tr_film_open(&o->film, options->dir, film, frames, report, st);
+}
+
+void tr_outputs_checkpoint(tr_outputs *o, tr_checkpoint *c) {
+    TR_KEEP(c, &o->rows, 1);
+    TR_KEEP(c, &o->instants, 1);
+    tr_file_checkpoint(&o->history, c);
+    tr_file_checkpoint(&o->contacts, c);
+    tr_film_checkpoint(&o->film, c);
+    tr_recorder_checkpoint(&o->recorder, c);
+    if (!c->loading && o->recorder.paths.picks.n) tr_checkpoint_sync(o->options->dir, "paths", c->st);
 }
 
 bool tr_outputs_row(tr_outputs *o, const tr_row *row, tr_status *st) {

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* A biaxial test with its outputs: compaction, shear, summary, curves. */
-#include "core/biaxial.h"
+#include "core/checkpoint.h"
 #include "core/step.h"
 #include "out/plot.h"
 #include "out/summary.h"
 #include "base/alloc.h"
+#include "laws/law.h"
 #include "study/inset.h"
 #include "study/run_internal.h"
 #include <math.h>
@@ -23,11 +24,69 @@ typedef struct test {
     char title[TR_RUN_TITLE];
     bool rehearsal; /* a run without outputs, which finds: */
     tr_scene_pick most;
+    bool shearing;        /* compaction is over */
+    tr_checkpoint resume; /* loading: where to go on; used up when the run is there */
+    double saved;         /* when the last checkpoint was made [s] */
     double e0, unbalanced, stress_2_sum;
     int stress_2_n;
     tr_biaxial_state state; /* of the last row */
     tr_energy energy;
 } test;
+
+/* What tells how to build the test before the rest can be loaded. */
+static void keep_stage(test *t, tr_checkpoint *c) {
+    TR_KEEP(c, &t->rehearsal, 1);
+    TR_KEEP(c, &t->most, 1);
+    TR_KEEP(c, &t->shearing, 1);
+}
+
+static void keep_rest(test *t, tr_checkpoint *c) {
+    tr_biaxial_checkpoint(&t->b, c);
+    if (!t->shearing) return;
+    TR_KEEP(c, &t->unbalanced, 1);
+    if (t->rehearsal) return;
+    TR_KEEP(c, &t->e0, 1);
+    TR_KEEP(c, &t->view.x0, 1);
+    TR_KEEP(c, &t->view.x1, 1);
+    TR_KEEP(c, &t->view.y0, 1);
+    TR_KEEP(c, &t->view.y1, 1);
+    TR_KEEP(c, &t->stress_2_sum, 1);
+    TR_KEEP(c, &t->stress_2_n, 1);
+    TR_KEEP(c, &t->state, 1);
+    TR_KEEP(c, &t->series.n, 1);
+    TR_KEEP(c, t->series.strain, t->series.n);
+    TR_KEEP(c, t->series.sin_phi, t->series.n);
+    TR_KEEP(c, t->series.void_ratio, t->series.n);
+    tr_inset_checkpoint(&t->inset, c);
+    tr_outputs_checkpoint(&t->out, c);
+}
+
+static bool save(test *t, tr_status *st) {
+    tr_checkpoint c;
+    double start = tr_run_clock();
+    char *resolved = tr_scene_write(t->scene, tr_laws_catalog(), st);
+    if (!resolved) return false;
+    tr_checkpoint_begin(&c, resolved, st);
+    free(resolved);
+    keep_stage(t, &c);
+    keep_rest(t, &c);
+    bool ok = tr_checkpoint_write(&c, t->options->dir);
+    t->saved = tr_run_clock();
+    t->out.seconds += t->saved - start;
+    return ok;
+}
+
+static bool save_if_due(test *t, tr_status *st) {
+    return tr_run_clock() - t->saved < t->options->checkpoint || save(t, st);
+}
+
+/* The test is built as far as t->shearing says. Nothing, where there is no checkpoint. */
+static bool resume(test *t) {
+    if (!t->resume.loading) return true;
+    keep_rest(t, &t->resume);
+    t->resume.loading = false;
+    return tr_checkpoint_close(&t->resume);
+}
 
 static bool compact(test *t, tr_status *st) {
     const int at_once = 200;
@@ -35,13 +94,14 @@ static bool compact(test *t, tr_status *st) {
     double asked = t->scene->compaction.unbalanced, fraction = 0;
     while (!done) {
         if (tr_run_stopped(t->options))
-            return tr_status_fail(st, TR_INTERRUPTED, "stopped during compaction; %s holds case.yaml only",
-                                  t->options->dir);
+            return save(t, st) &&
+                   tr_status_fail(st, TR_INTERRUPTED, "stopped during compaction; --resume goes on from there");
         if (!tr_biaxial_compact(&t->b, at_once, &t->unbalanced, &done, st)) return false;
         fraction = fmax(fraction, log(t->unbalanced) / log(asked)); /* it decays exponentially */
         tr_run_progress(t->options, "compaction", fraction);
+        if (!done && !save_if_due(t, st)) return false;
     }
-    return tr_biaxial_begin_shear(&t->b, st);
+    return true;
 }
 
 /* Value of a law's parameter; 0 where the law has none of that name. */
@@ -148,10 +208,12 @@ static void step_inset(test *t) {
 
 static bool shear(test *t, tr_status *st) {
     int64_t total = t->b.shear_steps;
-    for (int64_t k = 0;; k++) {
+    for (int64_t k = t->b.world.steps - t->b.shear_start;; k++) {
         if (tr_run_stopped(t->options))
-            return tr_status_fail(st, TR_INTERRUPTED, "stopped %sat strain %.4f of %g",
+            return save(t, st) &&
+                   tr_status_fail(st, TR_INTERRUPTED, "stopped %sat strain %.4f of %g; --resume goes on from there",
                                   t->rehearsal ? "in the rehearsal " : "", t->state.strain, t->scene->shear.strain_end);
+        if (k % 256 == 0 && !save_if_due(t, st)) return false;
         if (!tr_biaxial_forces(&t->b, st) || !tr_recorder_step(&t->out.recorder, st)) return false;
         unsigned due = t->rehearsal ? 0 : tr_outputs_due(&t->out, k, total);
         step_inset(t);
@@ -162,13 +224,34 @@ static bool shear(test *t, tr_status *st) {
     }
 }
 
+/* Up to where the shear begins, or goes on. */
+static bool prepare(test *t, tr_status *st) {
+    bool compacted = t->shearing;
+    tr_run_report *report = t->report;
+    if (!tr_biaxial_init(&t->b, t->scene, st)) return false;
+    if (!compacted && !(resume(t) && compact(t, st))) return false;
+    if (!tr_biaxial_begin_shear(&t->b, st)) return false;
+    t->shearing = true;
+    if (t->rehearsal) return resume(t);
+    tr_biaxial_state now;
+    tr_biaxial_shape(&t->b, &now);
+    t->e0 = now.void_ratio;
+    t->view = tr_run_biaxial_view(&t->b, t->title);
+    t->b.world.contact_updates = 0;
+    bool ok =
+        tr_outputs_open(&t->out, t->scene, t->options, "biaxial.mp4", t->b.shear_steps, compacted, report, st) &&
+        tr_recorder_open(&t->out.recorder, t->scene, t->most, &t->b.world, t->options->dir, "", compacted, report, st);
+    if (ok) open_inset(t);
+    return ok && resume(t);
+}
+
 /* Which contact is the most mobilised at the end: the same run, bit for bit, without outputs. */
 static bool rehearse(test *t, tr_status *st) {
     t->rehearsal = true;
-    bool ok = tr_biaxial_init(&t->b, t->scene, st) && compact(t, st) && shear(t, st);
+    bool ok = prepare(t, st) && shear(t, st);
     if (ok) t->most = tr_recorder_most(&t->b.world, st);
     tr_biaxial_free(&t->b);
-    t->rehearsal = false;
+    t->rehearsal = t->shearing = false;
     return ok && !st->code;
 }
 
@@ -189,7 +272,7 @@ static void report(test *t, const tr_strength *s, const tr_timing *timing) {
     tr_run_say(r, "wall time", "%.1f s, %.1f M contact updates/s", timing->wall_s, timing->contact_updates_per_s / 1e6);
 }
 
-static bool summarise(test *t, double started, double stepping, tr_status *st) {
+static bool summarise(test *t, double started, double updates_per_s, tr_status *st) {
     tr_strength s = tr_summary_strength(&t->series);
     char caption[200];
     int code = 0;
@@ -205,7 +288,7 @@ static bool summarise(test *t, double started, double stepping, tr_status *st) {
         return false;
     else if (code)
         tr_run_note(t->report, "no curves: gnuplot failed (%d) on plot.gp; run it there to see why", code);
-    tr_timing timing = {tr_run_clock() - started, (double)t->b.world.contact_updates / stepping};
+    tr_timing timing = {tr_run_clock() - started, updates_per_s};
     char *text = tr_summary_biaxial(scene, &t->b, t->e0, t->unbalanced, &s, t->stress_2_sum / t->stress_2_n,
                                     t->b.world.ledger ? &t->energy : NULL, &timing, st);
     if (!text) return false;
@@ -228,27 +311,29 @@ bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run
     test *t = tr_alloc(1, sizeof *t, st);
     if (!t) return false;
     t->scene = scene, t->options = options, t->report = report;
-    double started = tr_run_clock();
+    double started = t->saved = tr_run_clock();
     bool ok = (t->series.strain = tr_alloc(rows, sizeof(double), st)) &&
               (t->series.sin_phi = tr_alloc(rows, sizeof(double), st)) &&
               (t->series.void_ratio = tr_alloc(rows, sizeof(double), st)) && tr_run_check_biaxial(scene, st) &&
-              tr_run_open(scene, options, st) && (!tr_recorder_wants_most(scene) || rehearse(t, st)) &&
-              tr_biaxial_init(&t->b, scene, st) && compact(t, st);
+              tr_run_open(scene, options, &t->resume, report, st);
+    if (ok && t->resume.loading) keep_stage(t, &t->resume);
+    bool rehearsed = t->resume.loading && !t->rehearsal;
+    ok = ok && !st->code && (rehearsed || !tr_recorder_wants_most(scene) || rehearse(t, st));
     if (ok) {
-        const tr_wall *w = t->b.world.wall;
-        t->e0 =
-            (w[TR_TOP_WALL].y - w[TR_BOTTOM_WALL].y) * (w[TR_RIGHT_WALL].x - w[TR_LEFT_WALL].x) / t->b.disk_area - 1;
-        t->view = tr_run_biaxial_view(&t->b, t->title);
+        bool prepared = prepare(t, st);
         double shear_started = tr_run_clock();
-        t->b.world.contact_updates = 0;
-        if (tr_outputs_open(&t->out, scene, options, "biaxial.mp4", t->b.shear_steps, report, st) &&
-            tr_recorder_open(&t->out.recorder, scene, t->most, &t->b.world, options->dir, "", report, st))
-            open_inset(t), shear(t, st);
+        t->out.seconds = 0;
+        int64_t before = t->b.world.contact_updates;
+        if (prepared) shear(t, st);
         double stepping = tr_run_clock() - shear_started - t->out.seconds;
-        ok = tr_outputs_close(&t->out, st) && summarise(t, started, stepping, st);
+        double updates = (double)(t->b.world.contact_updates - before);
+        bool opened = t->out.scene != NULL;
+        ok = (opened ? tr_outputs_close(&t->out, st) : prepared) && summarise(t, started, updates / stepping, st);
+        if (ok) tr_checkpoint_remove(options->dir);
     }
     tr_biaxial_free(&t->b);
     tr_inset_close(&t->inset);
+    free(t->resume.bytes);
     free(t->series.strain), free(t->series.sin_phi), free(t->series.void_ratio), free(t);
     return ok;
 }

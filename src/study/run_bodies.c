@@ -170,12 +170,13 @@ static bool prepare(show *s, tr_status *st) {
 
 static bool open_outputs(show *s, tr_status *st) {
     int64_t total = s->cast.play[s->cast.leader]->b.steps;
-    if (!tr_outputs_open(&s->out, s->scene, s->options, "bodies.mp4", total, s->report, st)) return false;
+    if (!tr_outputs_open(&s->out, s->scene, s->options, "bodies.mp4", total, false, s->report, st)) return false;
     for (int i = 0; i < s->cast.n; i++) {
         tr_play *p = s->cast.play[i];
         char prefix[8] = "";
         if (s->cast.n > 1) snprintf(prefix, sizeof prefix, "%d-", i);
-        if (!tr_recorder_open(&p->recorder, s->scene, s->most[i], &p->b.world, s->options->dir, prefix, s->report, st))
+        if (!tr_recorder_open(&p->recorder, s->scene, s->most[i], &p->b.world, s->options->dir, prefix, false,
+                              s->report, st))
             return false;
         tr_status why = {0};
         if (s->scene->output.frames && p->recorder.paths.picks.n)
@@ -227,7 +228,7 @@ bool tr_run_bodies(const tr_scene *scene, const tr_run_options *options, tr_run_
     s->scene = scene, s->options = options, s->report = report;
     s->cast = (tr_cast){.scene = scene, .title = options->title, .n = 1 + scene->n_more};
     double started = tr_run_clock();
-    bool ok = tr_run_check_bodies(scene, st) && tr_run_open(scene, options, st) && prepare(s, st);
+    bool ok = tr_run_check_bodies(scene, st) && tr_run_open(scene, options, NULL, report, st) && prepare(s, st);
     if (ok) {
         double playing = tr_run_clock(), updates = 0;
         if (open_outputs(s, st)) play(s, st);

@@ -136,7 +136,7 @@ static bool run(const tr_scene *scene, const tr_run_options *options, tr_run_rep
     d->scene = scene, d->total = tr_contact_steps(scene);
     name_laws(d);
     double started = tr_run_clock();
-    bool ok = (d->contact = tr_contact_new(scene, st)) && tr_run_open(scene, options, st);
+    bool ok = (d->contact = tr_contact_new(scene, st)) && tr_run_open(scene, options, NULL, report, st);
     if (ok) {
         double playing = tr_run_clock();
         if (tr_file_open(&d->table, options->dir, "contact.csv", st)) play(d, options, st);

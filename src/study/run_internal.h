@@ -3,6 +3,7 @@
 #ifndef TR_RUN_INTERNAL_H
 #define TR_RUN_INTERNAL_H
 
+#include "base/checkpoint.h"
 #include "draw/draw.h"
 #include "out/dir.h"
 #include "out/summary.h"
@@ -31,8 +32,10 @@ bool tr_run_check_bodies(const tr_scene *scene, tr_status *st);
 enum { TR_RUN_TITLE = 96 };
 tr_view tr_run_biaxial_view(const tr_biaxial *b, char title[TR_RUN_TITLE]);
 
-/* Makes the directory ready and writes the resolved case into it. */
-bool tr_run_open(const tr_scene *scene, const tr_run_options *options, tr_status *st);
+/* Makes the directory ready and writes the resolved case into it; or, with options->resume, opens the checkpoint that is there:
+ * then c->loading, and nothing is touched. c NULL: this kind has none. */
+bool tr_run_open(const tr_scene *scene, const tr_run_options *options, tr_checkpoint *c, tr_run_report *report,
+                 tr_status *st);
 
 double tr_run_clock(void); /* wall time [s] */
 
@@ -60,11 +63,14 @@ typedef struct tr_outputs {
     double seconds; /* spent in them; the caller adds it up */
 } tr_outputs;
 
+/* Files, film and recorder. To load: after they are opened to be resumed. */
+void tr_outputs_checkpoint(tr_outputs *o, tr_checkpoint *c);
+
 typedef void tr_draw(tr_canvas *canvas, const tr_view *view);
 
-/* total: steps to come. When they are too few for all that is asked, a note says how much less there will be. */
+/* total: steps of the run. resume: the files go on. When they are too few for all that is asked, a note says how much less there will be. */
 bool tr_outputs_open(tr_outputs *o, const tr_scene *scene, const tr_run_options *options, const char *film,
-                     int64_t total, tr_run_report *report, tr_status *st);
+                     int64_t total, bool resume, tr_run_report *report, tr_status *st);
 /* What is due at step k of total: rows and frames are spread evenly from 0 to the end, lists of contacts end at the
  * end. */
 enum { TR_DUE_ROW = 1, TR_DUE_FRAME = 2, TR_DUE_CONTACTS = 4 };

@@ -170,7 +170,7 @@ static bool plot(const show *s, tr_run_report *report, tr_status *st) {
 static bool run(show *s, tr_run_report *report, tr_status *st) {
     double started = tr_run_clock();
     const tr_scene_patch *want = &s->scene->patch;
-    if (!tr_run_open(s->scene, s->options, st)) return false;
+    if (!tr_run_open(s->scene, s->options, NULL, report, st)) return false;
     if (want->frames && !play(s, true, st)) return false;
     double playing = tr_run_clock();
     bool ok = tr_file_open(&s->contact, s->options->dir, "contact.csv", st) &&

@@ -1,0 +1,234 @@
+/* SPDX-License-Identifier: MIT */
+#include "base/checkpoint.h"
+
+#include "base/alloc.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static const char MAGIC[8] = "trundle", NAME[] = "checkpoint.bin", PART[] = "checkpoint.bin.part",
+                  OLD[] = "checkpoint.bin.old";
+enum { VERSION = 1 };
+
+typedef struct header {
+    char magic[8];
+    uint64_t version, size;
+} header;
+
+typedef struct record {
+    char name[48];
+    uint64_t size, count;
+} record;
+
+static uint64_t fnv1a(const unsigned char *bytes, size_t n) {
+    uint64_t sum = 0xcbf29ce484222325;
+    for (size_t i = 0; i < n; i++) sum = (sum ^ bytes[i]) * 0x100000001b3;
+    return sum;
+}
+
+/* ---- fields ---- */
+
+static void append(tr_checkpoint *c, const void *data, size_t n) {
+    if (c->size + n > c->room) {
+        size_t room = 2 * (c->size + n);
+        if (!tr_alloc_grow(&c->bytes, c->size, room, 1, c->st)) return;
+        c->room = room;
+    }
+    if (n) memcpy(c->bytes + c->size, data, n);
+    c->size += n;
+}
+
+static record next(const tr_checkpoint *c) {
+    record r = {.name = "nothing"};
+    if (c->size - c->at >= sizeof r) memcpy(&r, c->bytes + c->at, sizeof r);
+    return r;
+}
+
+static void load(tr_checkpoint *c, const record *wanted, void *data) {
+    record r = next(c);
+    size_t n = wanted->size * wanted->count;
+    if (strncmp(r.name, wanted->name, sizeof r.name) || r.size != wanted->size || r.count != wanted->count ||
+        n > c->size - c->at - sizeof r) {
+        tr_status_fail(
+            c->st, TR_FILE,
+            "error: the checkpoint is of another build: it has %.47s, %llu of %llu bytes, where this one has "
+            "%s, %llu of %llu",
+            r.name, (unsigned long long)r.count, (unsigned long long)r.size, wanted->name,
+            (unsigned long long)wanted->count, (unsigned long long)wanted->size);
+        return;
+    }
+    if (n) memcpy(data, c->bytes + c->at + sizeof r, n);
+    c->at += sizeof r + n;
+}
+
+void tr_checkpoint_field(tr_checkpoint *c, const char *name, void *data, size_t size, size_t count) {
+    if (c->st->code) return;
+    record r = {.size = size, .count = count};
+    snprintf(r.name, sizeof r.name, "%s", name + (*name == '&'));
+    if (c->loading) {
+        load(c, &r, data);
+    } else {
+        append(c, &r, sizeof r);
+        append(c, data, size * count);
+    }
+}
+
+/* ---- saving ---- */
+
+void tr_checkpoint_begin(tr_checkpoint *c, const char *resolved_case, tr_status *st) {
+    header h = {.version = VERSION};
+    memcpy(h.magic, MAGIC, sizeof h.magic);
+    *c = (tr_checkpoint){.st = st};
+    append(c, &h, sizeof h);
+    tr_checkpoint_field(c, "case", (void *)(uintptr_t)resolved_case, 1, strlen(resolved_case));
+}
+
+static bool write_all(int fd, const unsigned char *bytes, size_t n) {
+    while (n) {
+        ssize_t written = write(fd, bytes, n);
+        if (written < 0 && errno != EINTR) return false;
+        if (written > 0) bytes += written, n -= (size_t)written;
+    }
+    return true;
+}
+
+static bool write_file(int dir, const unsigned char *bytes, size_t n) {
+    int fd = openat(dir, PART, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (fd < 0) return false;
+    bool ok = write_all(fd, bytes, n) && !fsync(fd);
+    return !close(fd) && ok;
+}
+
+bool tr_checkpoint_write(tr_checkpoint *c, const char *dir) {
+    uint64_t size = c->size + sizeof size;
+    int at = -1;
+    if (!c->st->code) {
+        memcpy(c->bytes + offsetof(header, size), &size, sizeof size);
+        uint64_t sum = fnv1a(c->bytes, c->size);
+        append(c, &sum, sizeof sum);
+    }
+    if (!c->st->code) {
+        at = open(dir, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+        bool ok = at >= 0 && write_file(at, c->bytes, c->size) && (!renameat(at, NAME, at, OLD) || errno == ENOENT) &&
+                  !renameat(at, PART, at, NAME) && !fsync(at);
+        if (!ok) {
+            tr_status_fail(c->st, TR_FILE, "error: cannot write %s/%s: %s", dir, NAME, strerror(errno));
+            if (at >= 0) unlinkat(at, PART, 0);
+        }
+    }
+    if (at >= 0) close(at);
+    free(c->bytes);
+    return !c->st->code;
+}
+
+bool tr_checkpoint_sync(const char *dir, const char *name, tr_status *st) {
+    char path[PATH_MAX];
+    snprintf(path, sizeof path, "%s/%s", dir, name);
+    int fd = open(path, O_RDONLY | O_CLOEXEC);
+    if (fd < 0 && errno == ENOENT) return true;
+    bool ok = fd >= 0 && !fsync(fd);
+    if (!ok) tr_status_fail(st, TR_FILE, "error: cannot write %s: %s", path, strerror(errno));
+    if (fd >= 0) close(fd);
+    return ok;
+}
+
+/* ---- loading ---- */
+
+static bool read_file(tr_checkpoint *c, const char *path, bool *there, tr_status *st) {
+    struct stat info;
+    FILE *file = fopen(path, "rbe");
+    *there = file || errno != ENOENT;
+    if (!file || fstat(fileno(file), &info)) {
+        if (*there) tr_status_fail(st, TR_FILE, "error: cannot read %s: %s", path, strerror(errno));
+        if (file) fclose(file);
+        return false;
+    }
+    c->size = (size_t)info.st_size;
+    bool ok = (c->bytes = tr_alloc(c->size, 1, st)) &&
+              (fread(c->bytes, 1, c->size, file) == c->size ||
+               tr_status_fail(st, TR_FILE, "error: cannot read %s: %s", path, strerror(errno)));
+    fclose(file);
+    return ok;
+}
+
+/* Whole, and of a version that can be read. */
+static bool check(tr_checkpoint *c, const char *path, bool *newer, tr_status *st) {
+    header h = {0};
+    uint64_t sum;
+    if (c->size >= sizeof h) memcpy(&h, c->bytes, sizeof h);
+    if (c->size >= sizeof h && memcmp(h.magic, MAGIC, sizeof MAGIC))
+        return tr_status_fail(st, TR_FILE, "error: %s is not a checkpoint of trundle", path);
+    *newer = c->size >= sizeof h && h.version > VERSION;
+    if (*newer)
+        return tr_status_fail(st, TR_FILE, "error: %s is of version %llu, by a newer trundle; this one reads %d", path,
+                              (unsigned long long)h.version, VERSION);
+    if (c->size < sizeof h + sizeof sum || c->size < h.size)
+        return tr_status_fail(st, TR_FILE, "error: %s is cut short: %zu bytes of %llu", path, c->size,
+                              (unsigned long long)h.size);
+    memcpy(&sum, c->bytes + c->size - sizeof sum, sizeof sum);
+    if (c->size != h.size || fnv1a(c->bytes, c->size - sizeof sum) != sum)
+        return tr_status_fail(st, TR_FILE, "error: %s is damaged: its checksum is wrong", path);
+    c->size -= sizeof sum;
+    c->at = sizeof h;
+    return true;
+}
+
+/* The first line in which they differ. */
+static bool check_case(tr_checkpoint *c, const char *path, const char *ours) {
+    record r = next(c);
+    const char *saved = (const char *)c->bytes + c->at + sizeof r;
+    size_t n = (size_t)r.count, same = 0, line = 0;
+    for (; same < n && ours[same] && saved[same] == ours[same]; same++)
+        if (saved[same] == '\n') line = same + 1;
+    if (same == n && !ours[same]) return c->at += sizeof r + n, true;
+    int theirs = (int)strcspn(saved + line, "#\n"), other = (int)strcspn(ours + line, "#\n");
+    return tr_status_fail(c->st, TR_FILE, "error: %s is of another case: it has `%.*s`, this one `%.*s`", path, theirs,
+                          saved + line, other, ours + line);
+}
+
+bool tr_checkpoint_open(tr_checkpoint *c, const char *dir, const char *resolved_case, tr_status *instead,
+                        tr_status *st) {
+    char path[PATH_MAX], old[PATH_MAX];
+    bool there = false, older = false, newer = false;
+    snprintf(path, sizeof path, "%s/%s", dir, NAME);
+    snprintf(old, sizeof old, "%s/%s", dir, OLD);
+    *c = (tr_checkpoint){.loading = true, .st = st};
+    bool ok = read_file(c, path, &there, instead) && check(c, path, &newer, instead);
+    if (!ok && !newer) {
+        free(c->bytes), c->bytes = NULL;
+        tr_status why = {0};
+        ok = read_file(c, old, &older, &why) && check(c, old, &newer, &why);
+        if (ok)
+            ok = !rename(old, path) || tr_status_fail(st, TR_FILE, "error: cannot rename %s: %s", old, strerror(errno));
+        if (!ok && !there) *instead = why;
+    }
+    if (ok)
+        ok = check_case(c, path, resolved_case);
+    else if (instead->code)
+        *st = *instead;
+    if (!ok) free(c->bytes), *c = (tr_checkpoint){0};
+    return ok;
+}
+
+bool tr_checkpoint_close(tr_checkpoint *c) {
+    if (!c->st->code && c->at != c->size)
+        tr_status_fail(c->st, TR_FILE, "error: the checkpoint is of another build: it has %.47s, this one has not",
+                       next(c).name);
+    free(c->bytes), c->bytes = NULL;
+    return !c->st->code;
+}
+
+void tr_checkpoint_remove(const char *dir) {
+    const char *const names[] = {NAME, OLD};
+    for (int k = 0; k < 2; k++) {
+        char path[PATH_MAX];
+        snprintf(path, sizeof path, "%s/%s", dir, names[k]);
+        unlink(path);
+    }
+}

@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT */
+/* Checkpoints: the state of a run in one file, from which it goes on bit for bit.
+ *
+ * Whoever has state lists it in one function, a TR_KEEP for each field, which saves and loads alike:
+ *
+ *     void tr_ball_checkpoint(tr_ball *ball, tr_checkpoint *c) { TR_KEEP(c, ball->x, 3); TR_KEEP(c, &ball->bounces, 1); }
+ *
+ * To load, the run is first built as if it were new; then the fields are put over it. What follows from the case alone, or is
+ * made anew before it is read, is no field.
+ *
+ * FILE. In the byte order of the machine: magic, version, bytes of the whole; records (name, size of one, count, bytes), the first
+ * of which is the resolved case; FNV-1a of all before, which sees any change of one byte. The version counts changes in what is
+ * around the records: a field that was added, left out or resized since is told by its name.
+ *
+ * checkpoint.bin is written as checkpoint.bin.part, synced, and renamed; the one before is checkpoint.bin.old. Whichever call
+ * fails, or whenever the run is killed, one of the two is whole. */
+#ifndef TR_CHECKPOINT_H
+#define TR_CHECKPOINT_H
+
+#include "base/status.h"
+#include <stddef.h>
+
+typedef struct tr_checkpoint {
+    bool loading;
+    unsigned char *bytes;
+    size_t size, room, at; /* at: where loading has got to */
+    tr_status *st;
+} tr_checkpoint;
+
+/* count objects of size bytes at data: appended, or read over. After the first failure, which goes to c->st, it does nothing. */
+void tr_checkpoint_field(tr_checkpoint *c, const char *name, void *data, size_t size, size_t count);
+#define TR_KEEP(c, data, count) tr_checkpoint_field(c, #data, data, sizeof *(data), (size_t)(count))
+
+/* To save: begin, fields, write, which frees. */
+void tr_checkpoint_begin(tr_checkpoint *c, const char *resolved_case, tr_status *st);
+bool tr_checkpoint_write(tr_checkpoint *c, const char *dir);
+
+/* To load: open, fields, close, which frees and fails where fields are left over. Open: false without a failure: there is none. A
+ * checkpoint of another case, or of a newer version, is refused (TR_FILE). So is a damaged one, but if the one before is
+ * whole that one is taken in its place, and `instead`, else empty, says why. */
+bool tr_checkpoint_open(tr_checkpoint *c, const char *dir, const char *resolved_case, tr_status *instead,
+                        tr_status *st);
+bool tr_checkpoint_close(tr_checkpoint *c);
+
+/* Of a finished run. */
+void tr_checkpoint_remove(const char *dir);
+
+/* Sees to it that dir/name, a file or a directory, is on the disk; one that is not there is none to care for. */
+bool tr_checkpoint_sync(const char *dir, const char *name, tr_status *st);
+
+#endif

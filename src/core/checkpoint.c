@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT */
+#include "core/checkpoint.h"
+
+#include "base/alloc.h"
+#include "core/contacts.h"
+
+static void keep_near(tr_pairs *near, tr_checkpoint *c) {
+    TR_KEEP(c, &near->n, 1);
+    if (c->st->code) return;
+    if (near->n > near->capacity) {
+        size_t n = (size_t)near->n;
+        if (!tr_alloc_grow(&near->a, 0, n, sizeof(int), c->st) || !tr_alloc_grow(&near->b, 0, n, sizeof(int), c->st))
+            return;
+        near->capacity = near->n;
+    }
+    TR_KEEP(c, near->a, near->n);
+    TR_KEEP(c, near->b, near->n);
+}
+
+static void keep_group(tr_group *g, tr_checkpoint *c) {
+    int n = g->n;
+    TR_KEEP(c, &n, 1);
+    if (c->st->code || (n && !tr_contacts_reserve(g, n, c->st))) return;
+    g->n = n;
+    TR_KEEP(c, g->a, n);
+    TR_KEEP(c, g->b, n);
+    for (int k = 0; k < g->n_hist; k++) TR_KEEP(c, g->hist[k], n);
+    for (int k = 0; k < g->n_pair; k++) TR_KEEP(c, g->pair[k], n);
+}
+
+void tr_world_checkpoint(tr_world *world, tr_checkpoint *c) {
+    tr_disks *d = &world->disks;
+    TR_KEEP(c, d->pos, 4 * d->n);
+    TR_KEEP(c, d->vel, 4 * d->n);
+    TR_KEEP(c, world->wall, world->n_walls);
+    TR_KEEP(c, &world->steps, 1);
+    TR_KEEP(c, &world->contact_updates, 1);
+    TR_KEEP(c, &world->searches, 1);
+    TR_KEEP(c, &world->refreshes, 1);
+    TR_KEEP(c, &world->fresh, 1);
+    TR_KEEP(c, &world->stale, 1);
+    TR_KEEP(c, &world->wall_moved, 1);
+    TR_KEEP(c, world->wide_ref, 2 * d->n);
+    TR_KEEP(c, world->thin_ref, 2 * d->n);
+    keep_near(&world->near, c);
+    for (int k = 0; k < 2; k++) keep_group(&world->group[k], c);
+    if (world->ledger) TR_KEEP(c, world->ledger, 1);
+}
+
+void tr_biaxial_checkpoint(tr_biaxial *b, tr_checkpoint *c) {
+    tr_world_checkpoint(&b->world, c);
+    TR_KEEP(c, &b->height0, 1);
+    TR_KEEP(c, &b->shear_start, 1);
+    TR_KEEP(c, b->stress_sum, 4);
+    TR_KEEP(c, &b->stress_steps, 1);
+}
