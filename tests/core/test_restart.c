@@ -1,0 +1,278 @@
+/* SPDX-License-Identifier: MIT */
+/* A biaxial test that is saved in the midst of its way and loaded into a new one goes on bit for bit. For every law of the
+ * registries, every kind of wall and shape, so that what is added later is covered. What is compared is all that a run reads, not
+ * the fields that are saved. */
+#include "core/checkpoint.h"
+#include "core/ledger.h"
+#include "core/measures.h"
+#include "core/record.h"
+#include "core/worlds.h"
+#include "scene/tables.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <unistd.h>
+
+enum { DISKS = 40 };
+static char dir[] = "/tmp/trundle-restart-XXXXXX";
+
+/* ---- scenes of every law */
+
+typedef struct text {
+    char s[600];
+} text;
+
+static void add(text *t, const char *format, ...) {
+    size_t used = strlen(t->s);
+    va_list args;
+    va_start(args, format);
+    vsnprintf(t->s + used, sizeof t->s - used, format, args);
+    va_end(args);
+}
+
+/* The parameters that a law must be given, and stiffnesses, whose default may name another law's; each once, though two laws
+ * may share it. */
+static void add_parameters(text *t, const tr_law *law) {
+    for (int i = 0; i < law->table.n; i++) {
+        const tr_param *p = &law->table.params[i];
+        char key[40];
+        snprintf(key, sizeof key, " %s:", p->key);
+        bool stiffness = p->type == TR_REAL && p->dim.kg && p->dim.line;
+        if ((p->fallback && !stiffness) || strstr(t->s, key)) continue;
+        add(t, ",%s %s", key, stiffness ? "1000*compaction.pressure" : p->dim.kg ? "200 MPa" : "0.3");
+    }
+}
+
+static const char *const shapes[] = {"disk", "sphere"};
+
+/* False: the reader refuses these laws for this shape. */
+static bool scene_of(tr_scene *scene, const tr_law *const law[3], const char *walls, int shape) {
+    tr_status st = {0};
+    text t = {""};
+    add(&t, "kind: biaxial\nshape: %s\nsample: {disks: %d, r_min: 0.76 mm, r_max: 1.52 mm}\n", shapes[shape], DISKS);
+    add(&t, "compaction: {pressure: %s, inertial_number: 0.1, unbalanced: 1e-2}\n", shape ? "160 N/m" : "160 kPa");
+    add(&t, "shear: {inertial_number: 0.03, strain_end: 0.4, walls: %s, lateral_pressure: compaction.pressure}\n",
+        walls);
+    add(&t, "output: {paths: [0-1]}\ncontact: {normal: %s, friction: %s, rolling: %s", law[0]->table.name,
+        law[1]->table.name, law[2]->table.name);
+    for (int k = 0; k < 3; k++) add_parameters(&t, law[k]);
+    add(&t, "}\n");
+    if (tr_scene_read(scene, "case", t.s, strlen(t.s), NULL, 0, tr_laws_catalog(), &st)) return true;
+    if (law[0]->table.demands || law[1]->table.demands) return false;
+    fail_msg("%s\n%s", st.text, t.s);
+    return false;
+}
+
+/* ---- two ways to the same state */
+
+static void begin(tr_biaxial *b, const tr_scene *scene) {
+    tr_status st = {0};
+    if (!tr_biaxial_init(b, scene, &st)) fail_msg("%s", st.text);
+}
+
+static void save(tr_biaxial *b) {
+    tr_checkpoint c;
+    tr_status st = {0};
+    tr_checkpoint_begin(&c, "case", &st);
+    tr_biaxial_checkpoint(b, &c);
+    if (!tr_checkpoint_write(&c, dir)) fail_msg("%s", st.text);
+}
+
+static void load(tr_biaxial *b) {
+    tr_checkpoint c;
+    tr_status st = {0}, instead = {0};
+    assert_true(tr_checkpoint_open(&c, dir, "case", &instead, &st));
+    tr_biaxial_checkpoint(b, &c);
+    if (!tr_checkpoint_close(&c)) fail_msg("%s", st.text);
+}
+
+static void assert_same_group(const tr_group *p, const tr_group *q) {
+    size_t n = (size_t)p->n;
+    assert_int_equal(p->n, q->n);
+    assert_memory_equal(p->a, q->a, n * sizeof(int));
+    assert_memory_equal(p->b, q->b, n * sizeof(int));
+    for (int k = 0; k < p->n_hist; k++) assert_memory_equal(p->hist[k], q->hist[k], n * sizeof(double));
+    for (int k = 0; k < p->n_pair; k++) assert_memory_equal(p->pair[k], q->pair[k], n * sizeof(double));
+}
+
+/* Forces are there. */
+static void assert_same(tr_biaxial *p, tr_biaxial *q) {
+    const tr_world *v = &p->world, *w = &q->world;
+    assert_same_bits(v, w);
+    assert_memory_equal(v->disks.force, w->disks.force, 4 * (size_t)v->disks.n * sizeof(double));
+    assert_memory_equal(v->wall, w->wall, (size_t)v->n_walls * sizeof *v->wall);
+    assert_int_equal(v->searches, w->searches);
+    assert_int_equal(v->refreshes, w->refreshes);
+    assert_int_equal(v->contact_updates, w->contact_updates);
+    for (int k = 0; k < 2; k++) assert_same_group(&v->group[k], &w->group[k]);
+    if (v->ledger) {
+        tr_energy e = tr_ledger_read(v), f = tr_ledger_read(w);
+        assert_memory_equal(&e, &f, sizeof e);
+    }
+    tr_biaxial_state s = tr_biaxial_read(p), t = tr_biaxial_read(q);
+    assert_memory_equal(&s, &t, sizeof s);
+}
+
+static tr_measures measures_of(tr_world *world) {
+    tr_record *records = NULL;
+    tr_status st = {0};
+    int capacity = 0, n = tr_record_all(world, &records, &capacity, &st);
+    tr_measures m = tr_measures_of(world, records, n);
+    free(records);
+    return m;
+}
+
+/* The shear of a packing, whose disks are those of the scene. */
+static void follow(tr_biaxial *b, const tr_scene *scene, const tr_biaxial *packing) {
+    begin(b, scene);
+    memcpy(b->world.disks.pos, packing->world.disks.pos, 4 * DISKS * sizeof(double));
+    memcpy(b->world.wall, packing->world.wall, sizeof b->world.wall);
+    begin_shear(b);
+}
+
+typedef struct seen {
+    bool moved, slides, sticks;  /* when it is saved: bodies, since the list was made; some contacts; others */
+    int64_t searches, refreshes; /* after it */
+} seen;
+
+/* Shears the packing for `first` steps, saves, and for `then` more, as does one that was loaded. */
+static seen assert_goes_on(const tr_scene *scene, const tr_biaxial *packing, int first, int then) {
+    tr_biaxial b, loaded;
+    seen s = {0};
+    follow(&b, scene, packing);
+    begin(&loaded, scene), begin_shear(&loaded);
+    shear_steps(&b, first - 1), shear_forces(&b);
+    tr_measures m = measures_of(&b.world);
+    tr_step_advance(&b.world);
+    save(&b);
+    s.searches = b.world.searches, s.refreshes = b.world.refreshes;
+    s.moved = !b.world.stale && b.world.wall_moved > 0 &&
+              memcmp(b.world.disks.pos + 4 * 7, b.world.thin_ref + 2 * 7, sizeof(double));
+    load(&loaded);
+    shear_steps(&b, then), shear_forces(&b);
+    shear_steps(&loaded, then), shear_forces(&loaded);
+    assert_same(&b, &loaded);
+    s.slides = m.sliding_fraction > 0, s.sticks = m.sliding_fraction < 1;
+    s.searches = b.world.searches - s.searches, s.refreshes = b.world.refreshes - s.refreshes;
+    tr_biaxial_free(&b), tr_biaxial_free(&loaded);
+    return s;
+}
+
+/* A compacted sample, the same for all laws: its disks depend on the seed alone. */
+static void pack(tr_biaxial *packing, tr_scene *scene, int shape) {
+    const tr_law *const law[3] = {tr_laws_normal[0], tr_laws_friction[0], tr_laws_rolling[0]};
+    assert_true(scene_of(scene, law, "smooth", shape));
+    compact(packing, scene);
+}
+
+/* "smooth", "rough", ... of shear.walls; false: there is no such. */
+static bool wall_kind(int k, char name[32]) {
+    const tr_param *p = NULL;
+    for (int i = 0; i < tr_n_sections; i++)
+        for (int j = 0; !strcmp(tr_sections[i].key, "shear") && j < tr_sections[i].n; j++)
+            if (!strcmp(tr_sections[i].params[j].key, "walls")) p = &tr_sections[i].params[j];
+    assert_non_null(p);
+    const char *at = p->choices;
+    for (; k > 0 && at; k--) at = strchr(at, '|') ? strchr(at, '|') + 1 : NULL;
+    if (at) snprintf(name, 32, "%.*s", (int)strcspn(at, "|"), at);
+    return at != NULL;
+}
+
+/* Each law of each slot, beside the first of the other slots. */
+static void test_every_law_and_wall(void **state) {
+    (void)state;
+    const tr_param_catalog *catalog = tr_laws_catalog();
+    const int n[3] = {catalog->n_normal, catalog->n_friction, catalog->n_rolling};
+    const tr_law *const *const all[3] = {tr_laws_normal, tr_laws_friction, tr_laws_rolling};
+    int histories = 0, ran[3][16] = {{0}}, slid = 0, moved = 0, renewed = 0, searched = 0, walls = 0;
+    for (int shape = 0; shape < 2; shape++) {
+        tr_biaxial packing;
+        tr_scene compacted;
+        pack(&packing, &compacted, shape);
+        char wall[32];
+        for (walls = 0; wall_kind(walls, wall); walls++)
+            for (int slot = 0; slot < 3; slot++)
+                for (int i = 0; i < n[slot]; i++) {
+                    const tr_law *law[3] = {tr_laws_normal[0], tr_laws_friction[0], tr_laws_rolling[0]};
+                    tr_scene scene;
+                    law[slot] = all[slot][i];
+                    if (!scene_of(&scene, law, wall, shape)) continue;
+                    seen s = assert_goes_on(&scene, &packing, 701, 900);
+                    assert_true(s.sticks);
+                    ran[slot][i]++, slid += s.slides, moved += s.moved, renewed += s.refreshes > 0,
+                        searched += s.searches > 0;
+                    if (law[slot]->n_hist) histories++;
+                    tr_scene_free(&scene);
+                }
+        tr_biaxial_free(&packing), tr_scene_free(&compacted);
+    }
+    for (int slot = 0; slot < 3; slot++)
+        for (int i = 0; i < n[slot]; i++)
+            if (!ran[slot][i] && !(all[slot][i]->table.demands & TR_ONLY_DRIVER))
+                fail_msg("%s was never run", all[slot][i]->table.name);
+    assert_true(histories > 20 && slid > 20 && moved > 20 && renewed > 20 && searched > 20 && walls >= 2);
+}
+
+/* Many steps of a while: right at the start, when nothing has moved yet; when the list is stale; in between. */
+static void test_every_moment(void **state) {
+    (void)state;
+    enum { UNTIL = 600 };
+    const tr_law *const law[3] = {tr_laws_normal[0], tr_laws_friction[0], tr_laws_rolling[0]};
+    tr_biaxial packing, whole, b, loaded;
+    tr_scene compacted, scene;
+    int stale = 0, fresh = 0, moved = 0;
+    pack(&packing, &compacted, 0);
+    assert_true(scene_of(&scene, law, "rough", 0));
+    follow(&whole, &scene, &packing), follow(&b, &scene, &packing);
+    shear_steps(&whole, UNTIL), shear_forces(&whole);
+    for (int k = 0; k < UNTIL; k++, shear_steps(&b, 1)) {
+        if (k > 3 && k % 16 && !b.world.stale) continue;
+        save(&b);
+        stale += b.world.stale, fresh += b.world.fresh, moved += b.world.wall_moved > 0;
+        begin(&loaded, &scene), begin_shear(&loaded);
+        load(&loaded);
+        shear_steps(&loaded, UNTIL - k), shear_forces(&loaded);
+        tr_biaxial all = whole; /* reading it begins a new interval of its averages */
+        assert_same(&all, &loaded);
+        tr_biaxial_free(&loaded);
+    }
+    assert_true(stale > 2 && fresh == 1 && moved > 20);
+    tr_biaxial_free(&packing), tr_biaxial_free(&whole), tr_biaxial_free(&b);
+    tr_scene_free(&compacted), tr_scene_free(&scene);
+}
+
+static void test_in_the_compaction(void **state) {
+    (void)state;
+    tr_biaxial whole, b;
+    tr_scene scene;
+    pack(&whole, &scene, 0);
+    for (int batches = 1; batches < 40; batches += 6) {
+        tr_biaxial loaded;
+        tr_status st = {0};
+        double unbalanced;
+        bool done = false;
+        begin(&b, &scene);
+        for (int k = 0; k < batches; k++) assert_true(tr_biaxial_compact(&b, 200, &unbalanced, &done, &st) && !done);
+        save(&b);
+        tr_biaxial_free(&b);
+        begin(&loaded, &scene), load(&loaded);
+        while (!done) assert_true(tr_biaxial_compact(&loaded, 200, &unbalanced, &done, &st));
+        tr_biaxial all = whole;
+        assert_same(&all, &loaded);
+        tr_biaxial_free(&loaded);
+    }
+    tr_biaxial_free(&whole), tr_scene_free(&scene);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_law_and_wall),
+        cmocka_unit_test(test_every_moment),
+        cmocka_unit_test(test_in_the_compaction),
+    };
+    if (!mkdtemp(dir)) return 1;
+    int failed = cmocka_run_group_tests_name("restart", tests, NULL, NULL);
+    tr_checkpoint_remove(dir);
+    rmdir(dir);
+    return failed;
+}
