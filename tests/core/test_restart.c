@@ -127,6 +127,7 @@ static void follow(tr_biaxial *b, const tr_scene *scene, const tr_biaxial *packi
     begin(b, scene);
     memcpy(b->world.disks.pos, packing->world.disks.pos, 4 * DISKS * sizeof(double));
     memcpy(b->world.wall, packing->world.wall, sizeof b->world.wall);
+    b->world.steps = packing->world.steps;
     begin_shear(b);
 }
 

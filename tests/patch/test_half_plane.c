@@ -329,6 +329,48 @@ static void test_error_of_dahlberg_and_alfredsson(void **state) {
     }
 }
 
+static void assert_same_bits(const tr_patch_state *s, const tr_patch_state *t) {
+    size_t n = (size_t)s->n * sizeof(double);
+    const double *const p[] = {s->x, s->p, s->tau, s->slip}, *const q[] = {t->x, t->p, t->tau, t->slip};
+    for (int k = 0; k < 4; k++) assert_memory_equal(p[k], q[k], n);
+    assert_memory_equal(s->side, t->side, (size_t)s->n);
+    assert_true(s->P == t->P && s->a == t->a && s->h == t->h);
+    assert_true(s->Q == t->Q && s->du == t->du && s->dissipated == t->dissipated);
+}
+
+/* A step of a path with all that there is: loading, sliding, rolling, prescribed forces, an open contact. */
+static void wander(tr_half_plane *o, int k) {
+    if (k == 9)
+        step(o, (tr_patch_step){.P = 0});
+    else if (k % 4 >= 2) /* the second one after another begins with the sliding of the first */
+        step(o, (tr_patch_step){.P = P, .dr = k * 1e-6, .by_force = true, .Q = 0.005 * k * P});
+    else
+        step(o, (tr_patch_step){.P = P * (1 + 0.1 * (k % 3)), .dr = (k - 8) * 2e-6, .du = (k % 5 - 1) * 1e-6});
+}
+
+/* Saved after any step and loaded into a new one, it goes on bit for bit. */
+static void test_checkpoint(void **state) {
+    (void)state;
+    enum { STEPS = 20, N = 40 };
+    for (int saved = 0; saved < STEPS; saved++) {
+        tr_checkpoint c;
+        tr_half_plane *o = make(&pair, N), *loaded = make(&pair, N);
+        for (int k = 0; k < saved; k++) wander(o, k);
+        tr_checkpoint_begin(&c, "", &st);
+        size_t first = c.size;
+        tr_half_plane_checkpoint(o, &c);
+        c.loading = true, c.at = first;
+        tr_half_plane_checkpoint(loaded, &c);
+        if (!tr_checkpoint_close(&c)) fail_msg("%s", st.text);
+        for (int k = saved; k < STEPS; k++) {
+            assert_same_bits(tr_half_plane_state(o), tr_half_plane_state(loaded));
+            wander(o, k), wander(loaded, k);
+        }
+        assert_same_bits(tr_half_plane_state(o), tr_half_plane_state(loaded));
+        tr_half_plane_free(o), tr_half_plane_free(loaded);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_cattaneo),
@@ -341,6 +383,7 @@ int main(void) {
         cmocka_unit_test(test_nothing_from_nothing),
         cmocka_unit_test(test_oblique_loading),
         cmocka_unit_test(test_error_of_dahlberg_and_alfredsson),
+        cmocka_unit_test(test_checkpoint),
     };
     return cmocka_run_group_tests_name("half-plane", tests, NULL, NULL);
 }

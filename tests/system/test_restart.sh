@@ -32,8 +32,10 @@ same() { # DIR REFERENCE: the same files with the same bytes, and no other
     diff -r "$1.bytes" "$2.bytes"
 }
 # A checkpoint at every opportunity, so that it is met in any state.
-ends_as() { # REFERENCE CASE DIR
-    run_gives 0 "$2" -o "$3" --resume --checkpoint 0 && same "$3" "$1"
+ends_as() { # REFERENCE CASE DIR ARGUMENTS...
+    reference=$1 from=$2 to=$3
+    shift 3
+    run_gives 0 "$from" -o "$to" --resume --checkpoint 0 "$@" && same "$to" "$reference"
 }
 copy() { # FROM TO
     rm -rf "$2"
@@ -73,6 +75,114 @@ killed() { # CASE REFERENCE TIMES SEED LONGEST
 check 'killed at 20 moments, the same bytes in the end' killed full.yaml full 20 1 0.4
 check 'a run of tables alone' run_gives 0 small.yaml -o small
 check 'killed at 20 moments too' killed small.yaml small 20 2 0.1
+
+# ---- stopped ----
+long='--set shear.strain_end=0.1 --set output.rows=500'
+wait_for() { # up to 20 s
+    for _ in $(seq 400); do
+        "$@" 2>/dev/null && return 0
+        sleep 0.05
+    done
+    return 1
+}
+grown() { [ "$(wc -l <"$1/history.csv.part")" -gt "$2" ]; }
+# shellcheck disable=SC2086 # a list of options
+check 'a longer run' run_gives 0 small.yaml -o long $long
+for signal in INT TERM; do
+    rm -rf stopped
+    # shellcheck disable=SC2086
+    start small.yaml -o stopped $long
+    wait_for grown stopped 100
+    kill -s $signal "$pid"
+    wait "$pid"
+    check "SIG$signal" equals $? 130
+    check 'says how to go on' says stderr '--resume goes on from there'
+    check 'it has a checkpoint, though the first was not due' test -s stopped/checkpoint.bin
+    copy stopped "stopped$signal"
+    # shellcheck disable=SC2086
+    check 'and ends with the same bytes' ends_as long small.yaml stopped $long
+done
+# shellcheck disable=SC2086
+start small.yaml -o early $long --set compaction.inertial_number=0.01
+wait_for test -s early/case.yaml
+kill -s INT "$pid"
+wait "$pid"
+check 'SIGINT in the compaction' says stderr 'stopped during compaction; --resume goes on from there'
+# shellcheck disable=SC2086
+check 'the same without a stop' run_gives 0 small.yaml -o late $long --set compaction.inertial_number=0.01
+# shellcheck disable=SC2086
+check 'and ends with the same bytes' ends_as late small.yaml early $long --set compaction.inertial_number=0.01
+
+# ---- refused ----
+untouched() { # DIR: as it was in stoppedINT, and no case but its own runs there
+    diff -r "$1" stoppedINT
+}
+refuses() { # WHY ARGUMENTS...
+    why=$1
+    shift
+    # shellcheck disable=SC2086
+    run_gives 3 "$@" -o refused --resume && says stderr "$why"
+}
+copy stoppedINT refused
+# shellcheck disable=SC2086
+check 'another case is refused' refuses 'is of another case: it has `seed: 3' small.yaml $long --set seed=4
+check 'another kind too' refuses 'is of another case' bodies.yaml
+check 'nothing was touched' untouched refused
+poke() { printf "$1" | dd of=refused/checkpoint.bin bs=1 seek="$2" conv=notrunc 2>/dev/null; }
+poke '\377\377\377' 5000
+# shellcheck disable=SC2086
+check 'a damaged one is refused' refuses 'damaged: its checksum is wrong' small.yaml $long
+copy stoppedINT refused
+truncate -s 5000 refused/checkpoint.bin
+# shellcheck disable=SC2086
+check 'a truncated one is refused' refuses 'cut short: 5000 bytes of' small.yaml $long
+copy stoppedINT refused
+poke '\2' 8
+# shellcheck disable=SC2086
+check 'a newer one is refused' refuses 'version 2, by a newer trundle' small.yaml $long
+copy stoppedINT refused
+truncate -s 200 refused/history.csv
+# shellcheck disable=SC2086
+check 'so is one whose tables are cut' refuses 'is shorter than the checkpoint says: 200 bytes of' small.yaml $long
+check 'the checkpoint is still there' cmp refused/checkpoint.bin stoppedINT/checkpoint.bin
+check 'an end that asks for both' run_gives 2 small.yaml -o refused --resume --force
+check 'seconds that are none' run_gives 2 small.yaml -o refused --checkpoint soon
+
+# The one before stands in for a damaged one.
+start full.yaml -o two --checkpoint 0
+wait_for grown two 20
+kill -s KILL "$pid"
+wait "$pid" 2>/dev/null
+truncate -s 100 two/checkpoint.bin
+check 'of two the older is whole' ends_as full full.yaml two
+check 'and it says why' says stderr 'from the checkpoint before the last: error: two/checkpoint.bin is cut short'
+
+# ---- full disk ----
+full_disk() { # SIZE: whenever it is full, room is made, and the run goes on
+    mount -o "remount,size=$1" disk || return 1
+    start small.yaml -o disk/results --resume --checkpoint 0 --set shear.strain_end=0.1 --set output.rows=500
+    wait "$pid"
+    code=$?
+    [ "$code" -eq 0 ] || { [ "$code" -eq 3 ] && says stderr 'error: cannot'; }
+}
+mkdir disk
+if mount -t tmpfs -o size=1M tmpfs disk 2>/dev/null; then
+    trap 'umount "$work/disk"; cleanup' EXIT
+    filled=0
+    for size in 24k 48k 96k 112k 128k 144k 160k 192k 224k; do
+        check "a disk of $size" full_disk $size
+        [ "$code" -ne 3 ] || filled=$((filled + 1))
+        [ "$code" -ne 3 ] || [ ! -e disk/results/checkpoint.bin ] || went_on=yes
+    done
+    check 'it was full several times, with a checkpoint behind it' equals "$((filled > 3)) ${went_on-}" '1 yes'
+    mount -o remount,size=4M disk
+    # shellcheck disable=SC2086
+    check 'with room for all, the same bytes' ends_as long small.yaml disk/results $long
+else
+    skip 'a full disk' 'cannot mount a small file system here'
+fi
+
+# ---- other kinds ----
 check 'bodies start afresh' run_gives 0 bodies.yaml -o bodies --resume
 check 'and are left when they are finished' run_gives 0 bodies.yaml -o bodies --resume
 check 'and say so' says stderr 'nothing to resume'
