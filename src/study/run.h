@@ -34,7 +34,8 @@ bool tr_run_check(const tr_scene *scene, tr_status *st);
 
 /* Runs the case. What tr_run_check finds is found before the directory is touched. Stopped: TR_INTERRUPTED, numerical
  * failure: TR_NUMERICAL, a file that cannot be written: TR_FILE; each keeps the rows, frames and film up to then and
- * says so, and nothing is half-written under a final name. */
+ * says so, and nothing is half-written under a final name. A checkpoint that is resumed but not of this case, or damaged: TR_FILE,
+ * and nothing is touched. */
 bool tr_run(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A biaxial test with its outputs: compaction, shear, summary, curves. */
+/* A biaxial test with its outputs: compaction, shear, summary, curves; and its checkpoints. */
 #include "core/checkpoint.h"
 #include "core/step.h"
 #include "out/plot.h"
