@@ -54,12 +54,18 @@ static bool is_frame(const char *name) {
 }
 
 /* 17-42.csv, wall0-3.csv, most-mobilised.csv, and their parts */
-static bool is_path(const char *name) {
+static bool is_pick(const char *name) {
     const char *digits = "0123456789", *end = name + (strncmp(name, "wall", 4) ? 0 : 4);
     end += strspn(end, digits);
     end += *end == '-' ? 1 + strspn(end + 1, digits) : 0;
     if (!strncmp(name, "most-mobilised", 14)) end = name + 14;
     return end > name && (!strcmp(end, ".csv") || !strcmp(end, ".csv.part"));
+}
+
+/* Of several scenes the names begin with the scene's number: 0-17-42.csv. */
+static bool is_path(const char *name) {
+    size_t number = strspn(name, "0123456789");
+    return is_pick(name) || (number && name[number] == '-' && is_pick(name + number + 1));
 }
 
 static bool remove_in(const char *dir, const char *folder, bool is_ours(const char *), tr_status *st) {

@@ -69,6 +69,12 @@ together() { # the row of the slow scene is less than its step, 0.9 ms, before t
 }
 check 'and go together' together
 
+paths_go() {
+    run_gives 0 both.yaml -o paths --set output.paths=wall0-0 && equals "$(listing paths/paths)" '0-wall0-0.csv
+1-wall0-0.csv' && run_gives 0 stiff.yaml -o paths --force && not test -e paths/paths
+}
+check 'the paths of several scenes go with the old run' paths_go
+
 # ---- an event is found between two steps: of a throw, whose speed is linear in time, to rounding ----
 cat >throw.yaml <<'CASE'
 kind: bodies
