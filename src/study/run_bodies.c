@@ -173,7 +173,7 @@ static bool open_outputs(show *s, tr_status *st) {
     if (!tr_outputs_open(&s->out, s->scene, s->options, "bodies.mp4", total, false, s->report, st)) return false;
     for (int i = 0; i < s->cast.n; i++) {
         tr_play *p = s->cast.play[i];
-        char prefix[8] = "";
+        char prefix[16] = "";
         if (s->cast.n > 1) snprintf(prefix, sizeof prefix, "%d-", i);
         if (!tr_recorder_open(&p->recorder, s->scene, s->most[i], &p->b.world, s->options->dir, prefix, false,
                               s->report, st))
