@@ -1,12 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/program.h"
 
-#include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 bool tr_program_available(const char *name) {
@@ -19,12 +16,4 @@ bool tr_program_available(const char *name) {
         path += n + (path[n] == ':');
     }
     return false;
-}
-
-int tr_program_lock(const char *path) {
-    int lock = open(path, O_RDONLY | O_CREAT, 0666); /* not O_CLOEXEC: it is to be inherited */
-    if (lock < 0) lock = open(path, O_RDONLY | O_DIRECTORY);
-    while (lock >= 0 && flock(lock, LOCK_EX) && errno == EINTR) {
-    }
-    return lock;
 }

@@ -49,11 +49,9 @@ static bool spawn(pid_t *pid, const char *const args[], const char *part, int in
     posix_spawn_file_actions_adddup2(&files, log, 1);
     posix_spawn_file_actions_adddup2(&files, log, 2);
     posix_spawnattr_setflags(&attr, POSIX_SPAWN_SETPGROUP);
-    int lock = tr_program_lock(part);
     int error = posix_spawnp(pid, "ffmpeg", &files, &attr, (char *const *)args, environ);
     posix_spawn_file_actions_destroy(&files);
     posix_spawnattr_destroy(&attr);
-    if (lock >= 0) close(lock);
     if (error) remove(part);
     return error == 0 || tr_status_fail(st, TR_FILE, "error: cannot start ffmpeg: %s", strerror(error));
 }

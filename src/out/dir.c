@@ -4,9 +4,12 @@
 #include "base/part.h"
 #include <dirent.h>
 #include <errno.h>
+#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 /* All that a run writes, the mark of a finished run first, then what counts on the rest: an interrupted removal leaves an
@@ -80,9 +83,23 @@ static bool remove_in(const char *dir, const char *folder, bool is_ours(const ch
     return ok;
 }
 
-bool tr_dir_open(const char *dir, bool force, tr_status *st) {
+bool tr_dir_lock(const char *dir, int *lock, tr_status *st) {
+    const struct timespec pause = {.tv_nsec = 20000000};
+    if (!make(dir, st)) return false;
+    *lock = open(dir, O_RDONLY | O_DIRECTORY); /* not O_CLOEXEC: it is to be inherited */
+    for (int k = 0; *lock >= 0 && flock(*lock, LOCK_EX | LOCK_NB); k++) {
+        bool held = errno == EWOULDBLOCK || errno == EINTR;
+        if (held && k < TR_DIR_WAIT * 50 && (nanosleep(&pause, NULL), true)) continue;
+        close(*lock);
+        *lock = -1;
+        if (held) return tr_status_fail(st, TR_FILE, "error: another run writes into %s", dir);
+    }
+    return true;
+}
+
+bool tr_dir_clear(const char *dir, bool force, tr_status *st) {
     char summary[TR_PATH];
-    if (!make(dir, st) || !tr_dir_path(summary, dir, results[0], st)) return false;
+    if (!tr_dir_path(summary, dir, results[0], st)) return false;
     if (!force && !access(summary, F_OK))
         return tr_status_fail(st, TR_FILE, "error: %s holds a finished run; give another -o, or --force to replace it",
                               dir);

@@ -16,9 +16,15 @@ typedef struct tr_file {
     long kept;          /* bytes that a checkpoint counts on; 0: there is none */
 } tr_file;
 
-/* Makes the directory (and its parents). A finished run is refused with TR_FILE unless force; with force the results of
- * the old run are removed, and nothing else. */
-bool tr_dir_open(const char *dir, bool force, tr_status *st);
+/* Makes the directory (and its parents) and takes it for this process: two runs never write into one. Programs that are started
+ * inherit the lock, because they outlive a run that is killed and write on, so there is a wait of TR_DIR_WAIT before it is TR_FILE.
+ * Close *lock in the end; -1: this file system has no locks. */
+enum { TR_DIR_WAIT = 5 }; /* [s] gnuplot and ffmpeg need less to end */
+bool tr_dir_lock(const char *dir, int *lock, tr_status *st);
+
+/* Empties a directory for a new run. A finished run is refused with TR_FILE unless force; with force the results of the old run are
+ * removed, and nothing else. */
+bool tr_dir_clear(const char *dir, bool force, tr_status *st);
 
 /* dir/name; TR_FILE if the path is too long. */
 bool tr_dir_path(char path[TR_PATH], const char *dir, const char *name, tr_status *st);

@@ -36,8 +36,7 @@ static bool finished(const tr_scene *scene, const tr_run_options *options, tr_st
     return same;
 }
 
-bool tr_run(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st) {
-    *report = (tr_run_report){0};
+static bool run(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st) {
     if (finished(scene, options, st)) {
         tr_checkpoint_remove(options->dir); /* if it was killed right before that */
         return tr_run_note(report, "nothing to resume: this run is finished"), true;
@@ -69,6 +68,14 @@ bool tr_run_check(const tr_scene *scene, tr_status *st) {
     return false;
 }
 
+bool tr_run(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st) {
+    *report = (tr_run_report){0};
+    int lock = -1;
+    bool ok = tr_run_check(scene, st) && tr_dir_lock(options->dir, &lock, st) && run(scene, options, report, st);
+    if (lock >= 0) close(lock);
+    return ok;
+}
+
 /* A user who runs ./case.yaml with -o . would lose it to the resolved case. */
 static bool spare_case_file(const tr_run_options *options, tr_status *st) {
     struct stat given, ours;
@@ -87,9 +94,9 @@ bool tr_run_open(const tr_scene *scene, const tr_run_options *options, tr_checkp
     bool resume =
         resolved && options->resume && tr_checkpoint_open(c ? c : &none, options->dir, resolved, &instead, st);
     if (resume && instead.code) tr_run_note(report, "from the checkpoint before the last: %.150s", instead.text);
-    bool ok = resume ||
-              (resolved && !st->code && spare_case_file(options, st) && tr_dir_open(options->dir, options->force, st) &&
-               tr_file_write(options->dir, "case.yaml", resolved, st));
+    bool ok = resume || (resolved && !st->code && spare_case_file(options, st) &&
+                         tr_dir_clear(options->dir, options->force, st) &&
+                         tr_file_write(options->dir, "case.yaml", resolved, st));
     free(resolved);
     return ok;
 }

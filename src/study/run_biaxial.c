@@ -314,7 +314,7 @@ bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run
     double started = t->saved = tr_run_clock();
     bool ok = (t->series.strain = tr_alloc(rows, sizeof(double), st)) &&
               (t->series.sin_phi = tr_alloc(rows, sizeof(double), st)) &&
-              (t->series.void_ratio = tr_alloc(rows, sizeof(double), st)) && tr_run_check_biaxial(scene, st) &&
+              (t->series.void_ratio = tr_alloc(rows, sizeof(double), st)) &&
               tr_run_open(scene, options, &t->resume, report, st);
     if (ok && t->resume.loading) keep_stage(t, &t->resume);
     bool rehearsed = t->resume.loading && !t->rehearsal;

@@ -228,7 +228,7 @@ bool tr_run_bodies(const tr_scene *scene, const tr_run_options *options, tr_run_
     s->scene = scene, s->options = options, s->report = report;
     s->cast = (tr_cast){.scene = scene, .title = options->title, .n = 1 + scene->n_more};
     double started = tr_run_clock();
-    bool ok = tr_run_check_bodies(scene, st) && tr_run_open(scene, options, NULL, report, st) && prepare(s, st);
+    bool ok = tr_run_open(scene, options, NULL, report, st) && prepare(s, st);
     if (ok) {
         double playing = tr_run_clock(), updates = 0;
         if (open_outputs(s, st)) play(s, st);

@@ -32,7 +32,7 @@ bool tr_run_check_bodies(const tr_scene *scene, tr_status *st);
 enum { TR_RUN_TITLE = 96 };
 tr_view tr_run_biaxial_view(const tr_biaxial *b, char title[TR_RUN_TITLE]);
 
-/* Makes the directory ready and writes the resolved case into it; or, with options->resume, opens the checkpoint that is there:
+/* Empties the directory and writes the resolved case into it; or, with options->resume, opens the checkpoint that is there:
  * then c->loading, and nothing is touched. c NULL: this kind has none. */
 bool tr_run_open(const tr_scene *scene, const tr_run_options *options, tr_checkpoint *c, tr_run_report *report,
                  tr_status *st);

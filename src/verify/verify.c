@@ -133,7 +133,7 @@ static void put_point(FILE *f, const struct tr_verify_pointed *p) {
 
 bool tr_verify_write(const tr_verify *v, const char *dir, tr_status *st) {
     tr_file file;
-    if (!tr_dir_open(dir, true, st) || !tr_file_open(&file, dir, "verify.csv", st)) return false;
+    if (!tr_dir_make(dir, ".", st) || !tr_file_open(&file, dir, "verify.csv", st)) return false;
     fputs("group,case,quantity,unit,source,reference,computed,error,tolerance,order,seconds,verdict,outcome,reason\n",
           file.stream);
     for (int i = 0; i < v->n; i++) put_row(file.stream, &v->row[i]);
