@@ -24,7 +24,7 @@ LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o)
 CLI_OBJ  := $(CLI_SRC:%=$(BUILD)/%.o)
 TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all biaxial figures features demos gallery verify test install asan lint format clean help packages-% build-all run-demos run-tests
+.PHONY: all biaxial figures features demos gallery verify test test-slurm install asan lint format clean help packages-% build-all run-demos run-tests
 .SECONDARY:
 
 all: packages-build
@@ -66,6 +66,11 @@ verify: packages-build
 
 test: packages-test
 	@$(MAKE) --no-print-directory run-tests
+
+# The job array of cases/cluster/ on a Slurm of one node that the test brings up; needs root.
+test-slurm: packages-slurm
+	@$(MAKE) --no-print-directory build-all
+	TRUNDLE=$(abspath $(TRUNDLE)) tests/cluster/slurm.sh
 
 # The same tests under the address and undefined-behaviour sanitizers.
 asan: packages-test
@@ -151,7 +156,7 @@ out/figures/features.png: figures/features.gp $(TRUNDLE)
 
 # A demonstration is a case; its mark, NAME.done, says that it ran without an error. DEMO_FLAGS: for trundle run.
 OUT   := out
-DEMOS := $(filter-out biaxial%,$(patsubst cases/%.yaml,%,$(wildcard cases/*.yaml)))
+DEMOS := $(filter-out biaxial% sweep%,$(patsubst cases/%.yaml,%,$(wildcard cases/*.yaml)))
 run-demos: $(DEMOS:%=$(OUT)/demos/%.done)
 $(OUT)/demos/%.done: cases/%.yaml $(TRUNDLE)
 	$(abspath $(TRUNDLE)) run $< -o $(@:.done=) --force $(DEMO_FLAGS)

@@ -11,9 +11,13 @@ int tr_cli_laws(int argc, char **argv);
 int tr_cli_bench(int argc, char **argv);
 int tr_cli_measures(int argc, char **argv);
 int tr_cli_verify(int argc, char **argv);
+int tr_cli_sweep(int argc, char **argv);
 
 /* Prints the message of a failure on stderr and returns its code. */
 int tr_cli_fail(const tr_status *st);
+
+/* "cases/slip-to-roll.yaml" -> "slip-to-roll" */
+void tr_cli_name(const char *file, char *name, size_t size);
 
 /* A file that the user has named by its path. */
 bool tr_cli_open(tr_file *file, const char *path, tr_status *st);

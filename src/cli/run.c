@@ -96,8 +96,7 @@ static error_t parse(int key, char *value, struct argp_state *state) {
     return 0;
 }
 
-/* "cases/slip-to-roll.yaml" -> "slip-to-roll" */
-static void case_name(const char *file, char *name, size_t size) {
+void tr_cli_name(const char *file, char *name, size_t size) {
     const char *slash = strrchr(file, '/');
     snprintf(name, size, "%s", slash ? slash + 1 : file);
     char *dot = strrchr(name, '.');
@@ -116,7 +115,7 @@ static int run(const arguments *a) {
     tr_scene scene;
     if (!tr_scene_read_file(&scene, a->file, a->set, a->n_set, tr_laws_catalog(), &st)) return tr_cli_fail(&st);
     char name[256], dir[300];
-    case_name(a->file, name, sizeof name);
+    tr_cli_name(a->file, name, sizeof name);
     snprintf(dir, sizeof dir, "out/%s", name);
     if (!a->check) {
         tr_run_report report;

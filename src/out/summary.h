@@ -67,4 +67,7 @@ typedef struct tr_patch_result {
 char *tr_summary_patch(const tr_scene *scene, int64_t steps, const tr_patch_result *result, const tr_timing *timing,
                        tr_status *st);
 
+/* A number of a summary.json by its key, or the way to it: "checks.0.measured". NaN where it says null. There is none: TR_BAD_CASE. */
+bool tr_summary_read(const char *path, const char *name, double *value, tr_status *st);
+
 #endif

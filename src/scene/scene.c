@@ -6,8 +6,6 @@
 #include "base/alloc.h"
 #include "scene/read.h"
 
-#include <errno.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -106,17 +104,9 @@ bool tr_scene_read(tr_scene *scene, const char *name, const char *text, size_t s
 bool tr_scene_read_file(tr_scene *scene, const char *path, const char *const *sets, int n_sets,
                         const tr_param_catalog *catalog, tr_status *st) {
     *scene = (tr_scene){0};
-    enum { ROOM = (1 << 20) + 8 }; /* more than may be read: too long a file shows */
-    char *text = tr_alloc(ROOM, 1, st);
-    if (!text) return false;
-    FILE *file = fopen(path, "rb");
-    size_t size = file ? fread(text, 1, ROOM, file) : 0;
-    bool ok = file && !ferror(file);
-    if (ok)
-        ok = tr_scene_read(scene, path, text, size, sets, n_sets, catalog, st);
-    else
-        tr_status_fail(st, TR_FILE, "error: cannot %s %.300s: %s", file ? "read" : "open", path, strerror(errno));
-    if (file) fclose(file);
+    size_t size;
+    char *text = tr_text_file(path, &size, st);
+    bool ok = text && tr_scene_read(scene, path, text, size, sets, n_sets, catalog, st);
     free(text);
     return ok;
 }

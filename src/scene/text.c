@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Everything here must hold for any bytes whatsoever: this is the code that speaks when the input is garbage. */
 #include "scene/text.h"
+#include "base/alloc.h"
 
+#include <errno.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -32,6 +34,19 @@ static int32_t decode(const char *p, size_t n, size_t *length) {
  */
 static bool printable(int32_t c) {
     return c >= 0x20 && !(c >= 0x7f && c < 0xa0) && c != 0x2028 && c != 0x2029 && c != 0xfeff && (c & 0xfffe) != 0xfffe;
+}
+
+char *tr_text_file(const char *path, size_t *size, tr_status *st) {
+    const size_t room = MAX_SIZE + 8;
+    char *text = tr_alloc(room, 1, st);
+    FILE *file = text ? fopen(path, "rb") : NULL;
+    *size = file ? fread(text, 1, room, file) : 0;
+    bool ok = file && !ferror(file);
+    if (!ok) tr_status_fail(st, TR_FILE, "error: cannot %s %.300s: %s", file ? "read" : "open", path, strerror(errno));
+    if (file) fclose(file);
+    if (ok) return text;
+    free(text);
+    return NULL;
 }
 
 tr_shown tr_text_show(const char *text) {

@@ -19,6 +19,10 @@ typedef struct tr_mark {
     int line, column;
 } tr_mark;
 
+/* The bytes of a file, as far as one may be read and a little more: too long a file shows. Cannot open or read: NULL and TR_FILE.
+ * free(). */
+char *tr_text_file(const char *path, size_t *size, tr_status *st);
+
 /* A piece of text fit for a message: short, one line, nothing that a terminal would obey. */
 typedef struct tr_shown {
     char text[64];

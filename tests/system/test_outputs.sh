@@ -10,7 +10,10 @@ write_small_case small.yaml
 write_bodies_case bodies.yaml
 
 # ---- the cases that are shipped ----
-for case in "$cases"/*.yaml; do check "run --check passes $(basename "$case")" run_gives 0 --check "$case"; done
+for case in "$cases"/*.yaml; do
+    case $case in */sweep*) continue ;; esac # no case, but many
+    check "run --check passes $(basename "$case")" run_gives 0 --check "$case"
+done
 check 'run --check writes nothing' not test -e out
 
 # ---- which files ----

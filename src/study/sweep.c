@@ -1,0 +1,132 @@
+/* SPDX-License-Identifier: MIT */
+/* The points of a grid: their values, names, cases, and what their directories hold. */
+#include "study/sweep.h"
+
+#include "base/alloc.h"
+#include "laws/law.h"
+#include "out/dir.h"
+#include "study/run.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+int tr_grid_value(const tr_grid *g, int point, int axis) {
+    if (axis >= g->n_named) return 0;
+    if (axis >= g->n_vary) return point / g->combinations;
+    int rest = point % g->combinations;
+    for (int i = g->n_vary - 1; i > axis; i--) rest /= g->axis[i].n;
+    return rest % g->axis[axis].n;
+}
+
+/* "mu_r" of "contact.mu_r", if no other key that varies ends so. */
+static const char *short_key(const tr_grid *g, int axis) {
+    const char *key = g->axis[axis].key, *dot = strrchr(key, '.'), *end = dot ? dot + 1 : key;
+    for (int i = 0; i < g->n_named; i++) {
+        const char *other = g->axis[i].key, *d = strrchr(other, '.');
+        if (i != axis && strcmp(d ? d + 1 : other, end) == 0) return key;
+    }
+    return end;
+}
+
+void tr_grid_name(const tr_grid *g, int point, char name[TR_POINT_NAME]) {
+    enum { HASH = 9 };
+    uint32_t hash = 2166136261u; /* FNV-1a */
+    size_t used = 0, room = TR_POINT_NAME - HASH - 1;
+    bool exact = true;
+    for (int i = 0; i < g->n_named; i++) {
+        const char *part[] = {i ? "," : "", short_key(g, i), "=", g->axis[i].value[tr_grid_value(g, point, i)]};
+        for (int k = 0; k < 4; k++) {
+            for (const char *p = part[k]; *p; p++) {
+                bool plain = strchr("+-._,=", *p) || (*p >= '0' && *p <= '9') || ((*p | 32) >= 'a' && (*p | 32) <= 'z');
+                hash = (hash ^ (unsigned char)*p) * 16777619u;
+                exact = exact && plain && used < room;
+                if (used < room) name[used++] = plain ? *p : '_';
+            }
+        }
+    }
+    name[used] = '\0';
+    if (!exact) snprintf(name + used, HASH + 1, "-%08x", (unsigned)hash);
+}
+
+char **tr_grid_sets(const tr_grid *g, int point, tr_status *st) {
+    char **sets = tr_alloc((size_t)g->n_axes, sizeof *sets, st);
+    for (int i = 0; sets && i < g->n_axes; i++) {
+        const tr_axis *axis = &g->axis[i];
+        if (asprintf(&sets[i], "%s=%s", axis->key, axis->value[tr_grid_value(g, point, i)]) >= 0) continue;
+        sets[i] = NULL;
+        tr_grid_sets_free(g, sets);
+        return tr_status_fail(st, TR_FILE, "error: out of memory"), NULL;
+    }
+    return sets;
+}
+
+void tr_grid_sets_free(const tr_grid *g, char **sets) {
+    for (int i = 0; sets && i < g->n_axes; i++) free(sets[i]);
+    free(sets);
+}
+
+/* The message is "--set:1:COLUMN: error: WHAT\nTHE SET\n..." where a value is to blame, and then that value's place is known;
+ * else the base case does not go with these values, which is told at the first of them. */
+static bool blame(const tr_grid *g, int point, char *const *sets, const tr_status *inner, tr_status *st) {
+    if (inner->code == TR_FILE) return tr_status_fail(st, inner->code, "%s", inner->text);
+    char name[TR_POINT_NAME], first[sizeof inner->text];
+    tr_grid_name(g, point, name);
+    snprintf(first, sizeof first, "%s", inner->text);
+    char *what = strtok(first, "\n"), *line = strtok(NULL, "\n");
+    if (strncmp(what, "error: ", 7) == 0) what += 7;
+    tr_mark mark = g->axis[0].mark[tr_grid_value(g, point, 0)];
+    int column = 0, at = 0;
+    if (line && sscanf(what, "--set:1:%d: error: %n", &column, &at) == 1 && at) {
+        what += at;
+        for (int i = 0; i < g->n_axes; i++) {
+            if (strcmp(sets[i], line) != 0) continue;
+            bool key = (size_t)column <= strlen(g->axis[i].key);
+            mark = key ? g->axis[i].key_mark : g->axis[i].mark[tr_grid_value(g, point, i)];
+        }
+    }
+    return tr_text_fail(st, mark, "point %d (%s) cannot run: %s", point, tr_text_show(name).text, what);
+}
+
+bool tr_grid_scene(const tr_grid *g, int point, tr_scene *scene, tr_status *st) {
+    *scene = (tr_scene){0};
+    char **sets = tr_grid_sets(g, point, st);
+    if (!sets) return false;
+    tr_status inner = {0};
+    bool ok = tr_scene_read_file(scene, g->base, (const char *const *)sets, g->n_axes, tr_laws_catalog(), &inner);
+    if (!ok) blame(g, point, sets, &inner, st);
+    tr_grid_sets_free(g, sets);
+    return ok;
+}
+
+static bool holds(const char *dir, const char *text) {
+    tr_status ignored = {0};
+    char path[TR_PATH];
+    size_t size;
+    char *there = tr_dir_path(path, dir, "case.yaml", &ignored) && !access(path, F_OK)
+                      ? tr_text_file(path, &size, &ignored)
+                      : NULL;
+    bool same = there && size == strlen(text) && memcmp(there, text, size) == 0;
+    free(there);
+    return same;
+}
+
+bool tr_grid_state(const tr_grid *g, int point, const char *dir, tr_point_state *state, tr_status *st) {
+    char name[TR_POINT_NAME], path[TR_PATH], summary[TR_PATH];
+    tr_scene scene;
+    tr_grid_name(g, point, name);
+    if (!tr_dir_path(path, dir, name, st) || !tr_dir_path(summary, path, "summary.json", st)) return false;
+    if (!tr_grid_scene(g, point, &scene, st)) return false;
+    char *text = tr_scene_write(&scene, tr_laws_catalog(), st);
+    bool whole = !access(summary, F_OK), same = text && holds(path, text);
+    *state = whole ? same ? TR_POINT_FINISHED : TR_POINT_OTHER : same ? TR_POINT_BEGUN : TR_POINT_MISSING;
+    free(text);
+    tr_status inner = {0};
+    if (!st->code && *state != TR_POINT_FINISHED && !tr_run_check(&scene, &inner)) {
+        char **sets = tr_grid_sets(g, point, st);
+        if (sets) blame(g, point, sets, &inner, st);
+        tr_grid_sets_free(g, sets);
+    }
+    tr_scene_free(&scene);
+    return !st->code;
+}

@@ -1,0 +1,99 @@
+/* SPDX-License-Identifier: MIT */
+/* Sweeps: `trundle run` for each point of a grid of values, and statistics over the seeds.
+ *
+ * A sweep file is YAML with places (scene/tree.h):
+ *
+ *     kind: sweep
+ *     base: biaxial.yaml            # counts from the folder of this file
+ *     seeds: 1-8                    # or [1, 2, 5]
+ *     vary: {contact.mu_r: [0, 0.2], shear.inertial_number: {from: 1e-4, to: 1e-2, points: 5, scale: log}}
+ *     set: {output.frames: 0}       # the same for all points
+ *     compare: {key: contact.mu_r, to: 0}
+ *     collect: [sin_phi_peak]       # numbers of summary.json
+ *
+ * Every value stays the text that it is: a point is a list of --sets, and what they mean is for the reader of cases to say.
+ *
+ * Points are numbered with the seed slowest, then the first key of `vary`: all points that can share a sample come one after
+ * the other, and a sweep that is stopped half-way has whole comparisons of its first seeds.
+ *
+ * A point has a directory, called after its values, so that a value more in the file leaves the others where they are. It is
+ * finished when it holds summary.json, which a run writes last, and case.yaml is byte by byte what this point resolves to:
+ * there is no other record of what is done, so nothing can get out of step with it. */
+#ifndef TR_STUDY_SWEEP_H
+#define TR_STUDY_SWEEP_H
+
+#include "scene/scene.h"
+#include "scene/tree.h"
+#include <signal.h>
+
+/* A key of the base case and the texts of its values. */
+typedef struct tr_axis {
+    const char *key;
+    tr_mark key_mark;
+    char **value;
+    tr_mark *mark; /* of each value; of a range: of the whole */
+    int n;
+} tr_axis;
+
+typedef struct tr_grid {
+    tr_source source;
+    char *text;
+    tr_node *root;
+    char *base;                  /* path of the base case */
+    tr_axis *axis;               /* `vary`, `seeds`, `set` */
+    int n_vary, n_named, n_axes; /* named: `vary` and `seeds`; of `set` every axis has one value */
+    int combinations, seeds, n;  /* of the values of `vary`; at least 1; their product, the number of points */
+    const char **collect;
+    tr_mark *collect_mark;
+    int n_collect;
+    int compare, to; /* axis, value that the others are compared with; compare < 0: none */
+} tr_grid;
+
+/* many: more than TR_MANY_POINTS are meant. On failure the grid is for tr_grid_free too. */
+enum { TR_MANY_POINTS = 10000 };
+bool tr_grid_read(tr_grid *g, const char *path, bool many, tr_status *st);
+void tr_grid_free(tr_grid *g);
+
+/* Which value of an axis a point has. */
+int tr_grid_value(const tr_grid *g, int point, int axis);
+
+/* "mu_r=0.2,rolling_velocity=wang,seed=3": the last part of each key, or as much as tells it apart. What a file name cannot
+ * hold becomes `_`, and then a hash of the whole follows, as where it would be too long. */
+enum { TR_POINT_NAME = 256 };
+void tr_grid_name(const tr_grid *g, int point, char name[TR_POINT_NAME]);
+
+/* Its --sets, "key=value", n_axes of them; free each, and the array. */
+char **tr_grid_sets(const tr_grid *g, int point, tr_status *st);
+void tr_grid_sets_free(const tr_grid *g, char **sets);
+
+/* Reads the case of a point. A failure names the point, and the place of the value in the sweep file. */
+bool tr_grid_scene(const tr_grid *g, int point, tr_scene *scene, tr_status *st);
+
+typedef enum tr_point_state { TR_POINT_MISSING, TR_POINT_BEGUN, TR_POINT_OTHER, TR_POINT_FINISHED } tr_point_state;
+
+/* What the directory of a point holds; BEGUN: this run, not to the end; OTHER: a finished run of another case. Checks the case of a point that is not finished. */
+bool tr_grid_state(const tr_grid *g, int point, const char *dir, tr_point_state *state, tr_status *st);
+
+typedef struct tr_grid_options {
+    const char *dir;
+    int jobs;                          /* runs at once */
+    int first, end;                    /* points first ... end - 1 */
+    const volatile sig_atomic_t *stop; /* set it to end the runs and stop */
+    void (*progress)(void *context, const char *stage, double fraction);
+    void (*say)(void *context, const char *line); /* what happens to a point */
+    void *context;
+} tr_grid_options;
+
+typedef struct tr_grid_report {
+    int before, ran, failed; /* points finished before, run now, failed now */
+} tr_grid_report;
+
+/* Runs what is missing, each point as a child process of this same program. All points are checked before the first runs. Points
+ * that fail are told by `say`, and counted, and in the end TR_NUMERICAL; they do not stop the others. */
+bool tr_grid_run(const tr_grid *g, const tr_grid_options *options, tr_grid_report *report, tr_status *st);
+
+/* Writes dir/collect.csv from the summaries of all finished points: for each combination and number the mean over the seeds, its
+ * standard error and 95 % interval, and with `compare` the same of the differences by seed. missing: points not finished. */
+bool tr_grid_collect(const tr_grid *g, const char *dir, int *missing, tr_status *st);
+
+#endif

@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: MIT */
+/* Statistics over the seeds, from summaries alone: the same bytes whatever the order in which the points ran.
+ *
+ * Differences are taken seed by seed and only then averaged: what one sample has by itself, which is most of the scatter, falls out.
+ * Where points are missing a mean is over those that are there, and says over how many. */
+#include "study/sweep.h"
+
+#include "base/alloc.h"
+#include "base/student.h"
+#include "out/dir.h"
+#include "out/summary.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Number k of collect to value[k*points + point]; NaN where the point is not finished. */
+static bool read_point(const tr_grid *g, int point, const char *dir, double *value, int *missing, tr_status *st) {
+    char name[TR_POINT_NAME], path[TR_PATH], summary[TR_PATH];
+    tr_point_state state;
+    tr_grid_name(g, point, name);
+    if (!tr_grid_state(g, point, dir, &state, st) || !tr_dir_path(path, dir, name, st) ||
+        !tr_dir_path(summary, path, "summary.json", st))
+        return false;
+    *missing += state != TR_POINT_FINISHED;
+    for (int k = 0; k < g->n_collect; k++) {
+        tr_status inner = {0};
+        double *x = &value[(size_t)k * (size_t)g->n + (size_t)point];
+        *x = NAN;
+        if (state != TR_POINT_FINISHED || tr_summary_read(summary, g->collect[k], x, &inner)) continue;
+        if (inner.code == TR_FILE) return tr_status_fail(st, inner.code, "%s", inner.text);
+        return tr_text_fail(st, g->collect_mark[k], "%.200s has no number `%s`", summary,
+                            tr_text_show(g->collect[k]).text);
+    }
+    return true;
+}
+
+/* RFC 4180 */
+static void put_text(FILE *out, const char *text) {
+    bool quote = strpbrk(text, ",\"\n\r");
+    if (quote) putc('"', out);
+    for (; *text; text++) {
+        if (*text == '"') putc('"', out);
+        putc(*text, out);
+    }
+    if (quote) putc('"', out);
+}
+
+static void put_mean(FILE *out, const tr_mean *m) {
+    const double number[] = {m->mean, m->error, m->low, m->high};
+    fprintf(out, ",%d", m->n);
+    for (int i = 0; i < 4; i++) fprintf(out, isnan(number[i]) ? "," : ",%.10g", number[i]);
+}
+
+/* The combination with another value of one axis. */
+static int with(const tr_grid *g, int combination, int axis, int value) {
+    int stride = 1;
+    for (int i = axis + 1; i < g->n_vary; i++) stride *= g->axis[i].n;
+    return combination + (value - tr_grid_value(g, combination, axis)) * stride;
+}
+
+static void put_header(FILE *out, const tr_grid *g) {
+    for (int i = 0; i < g->n_vary; i++) put_text(out, g->axis[i].key), putc(',', out);
+    fputs("quantity,seeds,mean,standard_error,low_95,high_95", out);
+    if (g->compare >= 0) fputs(",pairs,difference,difference_error,difference_low_95,difference_high_95", out);
+    putc('\n', out);
+}
+
+/* x: room for a number of each seed */
+static void put_row(FILE *out, const tr_grid *g, int combination, int k, const double *value, double *x) {
+    const double *of = value + (size_t)k * (size_t)g->n;
+    for (int i = 0; i < g->n_vary; i++)
+        put_text(out, g->axis[i].value[tr_grid_value(g, combination, i)]), putc(',', out);
+    put_text(out, g->collect[k]);
+    for (int s = 0; s < g->seeds; s++) x[s] = of[s * g->combinations + combination];
+    tr_mean mean = tr_mean_of(x, g->seeds);
+    put_mean(out, &mean);
+    if (g->compare >= 0 && tr_grid_value(g, combination, g->compare) == g->to) {
+        fputs(",,,,,", out);
+    } else if (g->compare >= 0) {
+        int other = with(g, combination, g->compare, g->to);
+        for (int s = 0; s < g->seeds; s++) x[s] -= of[s * g->combinations + other];
+        mean = tr_mean_of(x, g->seeds);
+        put_mean(out, &mean);
+    }
+    putc('\n', out);
+}
+
+bool tr_grid_collect(const tr_grid *g, const char *dir, int *missing, tr_status *st) {
+    double *value = tr_alloc((size_t)g->n * (size_t)g->n_collect, sizeof *value, st);
+    double *x = tr_alloc((size_t)g->seeds, sizeof *x, st);
+    tr_file file;
+    *missing = 0;
+    bool ok = value && x;
+    for (int point = 0; ok && point < g->n; point++) ok = read_point(g, point, dir, value, missing, st);
+    if (ok && tr_file_open(&file, dir, "collect.csv", st)) {
+        put_header(file.stream, g);
+        for (int c = 0; c < g->combinations; c++)
+            for (int k = 0; k < g->n_collect; k++) put_row(file.stream, g, c, k, value, x);
+        tr_file_commit(&file, st);
+    }
+    free(value);
+    free(x);
+    return !st->code;
+}
