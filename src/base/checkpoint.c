@@ -2,6 +2,7 @@
 #include "base/checkpoint.h"
 
 #include "base/alloc.h"
+#include "base/hash.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -12,8 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-static const char MAGIC[8] = "trundle", NAME[] = "checkpoint.bin", PART[] = "checkpoint.bin.part",
-                  OLD[] = "checkpoint.bin.old";
+static const char MAGIC[8] = "trundle";
 enum { VERSION = 1 };
 
 typedef struct header {
@@ -25,12 +25,6 @@ typedef struct record {
     char name[48];
     uint64_t size, count;
 } record;
-
-static uint64_t fnv1a(const unsigned char *bytes, size_t n) {
-    uint64_t sum = 0xcbf29ce484222325;
-    for (size_t i = 0; i < n; i++) sum = (sum ^ bytes[i]) * 0x100000001b3;
-    return sum;
-}
 
 /* ---- fields ---- */
 
@@ -98,28 +92,31 @@ static bool write_all(int fd, const unsigned char *bytes, size_t n) {
     return true;
 }
 
-static bool write_file(int dir, const unsigned char *bytes, size_t n) {
-    int fd = openat(dir, PART, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+static bool write_file(int dir, const char *part, const unsigned char *bytes, size_t n) {
+    int fd = openat(dir, part, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (fd < 0) return false;
     bool ok = write_all(fd, bytes, n) && !fsync(fd);
     return !close(fd) && ok;
 }
 
-bool tr_checkpoint_write(tr_checkpoint *c, const char *dir) {
+bool tr_checkpoint_write(tr_checkpoint *c, const char *dir, const char *name) {
+    char part[NAME_MAX], old[NAME_MAX];
+    snprintf(part, sizeof part, "%s.part", name);
+    snprintf(old, sizeof old, "%s.old", name);
     uint64_t size = c->size + sizeof size;
     int at = -1;
     if (!c->st->code) {
         memcpy(c->bytes + offsetof(header, size), &size, sizeof size);
-        uint64_t sum = fnv1a(c->bytes, c->size);
+        uint64_t sum = tr_hash(TR_HASH_BEGIN, c->bytes, c->size);
         append(c, &sum, sizeof sum);
     }
     if (!c->st->code) {
         at = open(dir, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-        bool ok = at >= 0 && write_file(at, c->bytes, c->size) && (!renameat(at, NAME, at, OLD) || errno == ENOENT) &&
-                  !renameat(at, PART, at, NAME) && !fsync(at);
+        bool ok = at >= 0 && write_file(at, part, c->bytes, c->size) &&
+                  (!renameat(at, name, at, old) || errno == ENOENT) && !renameat(at, part, at, name) && !fsync(at);
         if (!ok) {
-            tr_status_fail(c->st, TR_FILE, "error: cannot write %s/%s: %s", dir, NAME, strerror(errno));
-            if (at >= 0) unlinkat(at, PART, 0);
+            tr_status_fail(c->st, TR_FILE, "error: cannot write %s/%s: %s", dir, name, strerror(errno));
+            if (at >= 0) unlinkat(at, part, 0);
         }
     }
     if (at >= 0) close(at);
@@ -172,7 +169,7 @@ static bool check(tr_checkpoint *c, const char *path, bool *newer, tr_status *st
         return tr_status_fail(st, TR_FILE, "error: %s is cut short: %zu bytes of %llu", path, c->size,
                               (unsigned long long)h.size);
     memcpy(&sum, c->bytes + c->size - sizeof sum, sizeof sum);
-    if (c->size != h.size || fnv1a(c->bytes, c->size - sizeof sum) != sum)
+    if (c->size != h.size || tr_hash(TR_HASH_BEGIN, c->bytes, c->size - sizeof sum) != sum)
         return tr_status_fail(st, TR_FILE, "error: %s is damaged: its checksum is wrong", path);
     c->size -= sizeof sum;
     c->at = sizeof h;
@@ -192,12 +189,12 @@ static bool check_case(tr_checkpoint *c, const char *path, const char *ours) {
                           saved + line, other, ours + line);
 }
 
-bool tr_checkpoint_open(tr_checkpoint *c, const char *dir, const char *resolved_case, tr_status *instead,
-                        tr_status *st) {
+bool tr_checkpoint_open(tr_checkpoint *c, const char *dir, const char *name, const char *resolved_case,
+                        tr_status *instead, tr_status *st) {
     char path[PATH_MAX], old[PATH_MAX];
     bool there = false, older = false, newer = false;
-    snprintf(path, sizeof path, "%s/%s", dir, NAME);
-    snprintf(old, sizeof old, "%s/%s", dir, OLD);
+    snprintf(path, sizeof path, "%s/%s", dir, name);
+    snprintf(old, sizeof old, "%s/%s.old", dir, name);
     *c = (tr_checkpoint){.loading = true, .st = st};
     bool ok = read_file(c, path, &there, instead) && check(c, path, &newer, instead);
     if (!ok && !newer) {
@@ -225,7 +222,7 @@ bool tr_checkpoint_close(tr_checkpoint *c) {
 }
 
 void tr_checkpoint_remove(const char *dir) {
-    const char *const names[] = {NAME, OLD};
+    const char *const names[] = {TR_CHECKPOINT, TR_CHECKPOINT ".old"};
     for (int k = 0; k < 2; k++) {
         char path[PATH_MAX];
         snprintf(path, sizeof path, "%s/%s", dir, names[k]);

@@ -12,13 +12,14 @@
  * of which is the resolved case; FNV-1a of all before, which sees any change of one byte. The version counts changes in what is
  * around the records: a field that was added, left out or resized since is told by its name.
  *
- * checkpoint.bin is written as checkpoint.bin.part, synced, and renamed; the one before is checkpoint.bin.old. Whichever call
- * fails, or whenever the run is killed, one of the two is whole. */
+ * NAME is written as NAME.part, synced, and renamed; the one before is NAME.old. Whichever call fails, or whenever the run is killed, one of the two is whole. */
 #ifndef TR_CHECKPOINT_H
 #define TR_CHECKPOINT_H
 
 #include "base/status.h"
 #include <stddef.h>
+
+#define TR_CHECKPOINT "checkpoint.bin" /* the name of that of a run */
 
 typedef struct tr_checkpoint {
     bool loading;
@@ -33,13 +34,13 @@ void tr_checkpoint_field(tr_checkpoint *c, const char *name, void *data, size_t 
 
 /* To save: begin, fields, write, which frees. */
 void tr_checkpoint_begin(tr_checkpoint *c, const char *resolved_case, tr_status *st);
-bool tr_checkpoint_write(tr_checkpoint *c, const char *dir);
+bool tr_checkpoint_write(tr_checkpoint *c, const char *dir, const char *name);
 
 /* To load: open, fields, close, which frees and fails where fields are left over. Open: false without a failure: there is none. A
  * checkpoint of another case, or of a newer version, is refused (TR_FILE). So is a damaged one, but if the one before is
  * whole that one is taken in its place, and `instead`, else empty, says why. */
-bool tr_checkpoint_open(tr_checkpoint *c, const char *dir, const char *resolved_case, tr_status *instead,
-                        tr_status *st);
+bool tr_checkpoint_open(tr_checkpoint *c, const char *dir, const char *name, const char *resolved_case,
+                        tr_status *instead, tr_status *st);
 bool tr_checkpoint_close(tr_checkpoint *c);
 
 /* Of a finished run. */

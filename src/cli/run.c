@@ -10,10 +10,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_SETS = 256, CHECK = 1000, SEED, FRAMES, SET, FORCE, RESUME, CHECKPOINT };
+enum { MAX_SETS = 256, CHECK = 1000, SEED, FRAMES, SET, FORCE, RESUME, CHECKPOINT, SAMPLE };
 
 typedef struct arguments {
-    const char *file, *dir;
+    const char *file, *dir, *sample;
     const char *set[MAX_SETS];
     int n_set;
     bool force, check, resume;
@@ -34,6 +34,8 @@ static const struct argp_option options[] = {
      "and what has no checkpoint yet, start afresh)",
      0},
     {"checkpoint", CHECKPOINT, "SECONDS", 0, "time between two checkpoints of a biaxial test (default: 60)", 0},
+    {"sample", SAMPLE, "FILE", 0,
+     "start a biaxial test from the packing in FILE (the result is the same); without such a file the run makes it", 0},
     {"check", CHECK, NULL, 0, "only check the case", 0},
     {0},
 };
@@ -70,6 +72,9 @@ static error_t parse(int key, char *value, struct argp_state *state) {
         break;
     case ARGP_KEY_END:
         if (a->resume && a->force) argp_error(state, "--resume keeps what is there, --force replaces it");
+        break;
+    case SAMPLE:
+        a->sample = value;
         break;
     case CHECK:
         a->check = true;
@@ -126,6 +131,7 @@ static int run(const arguments *a) {
                                   .force = a->force,
                                   .resume = a->resume,
                                   .checkpoint = a->checkpoint,
+                                  .sample = a->sample,
                                   .stop = tr_cli_stop(),
                                   .progress = tr_progress_show,
                                   .context = &progress};

@@ -15,6 +15,10 @@
  * Off in the shear. */
 static const double DRAG = 0.005; /* of sqrt(stiffness under the pressure / mean mass) */
 
+/* Of its stability bound. Twice that halves the time of compaction and leaves e0 where it is (mean of 24 seeds 0.2109 against 0.2100,
+ * spread 0.003), but is no longer the step that a shear has by default. */
+static const double COMPACTION_SAFETY = 0.4;
+
 /* Lengths of the walls, and what pushes the pistons, follow the box. */
 static void fit_walls(tr_biaxial *b, double horizontal, double lateral) {
     tr_wall *w = b->world.wall;
@@ -25,14 +29,14 @@ static void fit_walls(tr_biaxial *b, double horizontal, double lateral) {
     w[TR_LEFT_WALL].load = w[TR_RIGHT_WALL].load = lateral * height;
 }
 
-/* The laws of compaction: friction mu of its own, no rolling resistance. */
-static tr_scene_contact compaction_laws(const tr_scene *scene) {
-    tr_scene_contact c = scene->contact;
+tr_scene_contact tr_biaxial_compaction_laws(const tr_scene *scene) {
+    tr_scene_contact c = {.normal = scene->contact.normal};
     double mu = scene->compaction.mu;
     for (int i = 0; i < tr_laws_catalog()->n_rolling; i++)
         if (!tr_laws_rolling[i]->step) c.rolling.law = i;
-    for (int i = 0; mu == 0 && i < tr_laws_catalog()->n_friction; i++)
+    for (int i = 0; i < tr_laws_catalog()->n_friction; i++)
         if (!tr_laws_friction[i]->step) c.friction.law = i;
+    if (mu > 0) c.friction = scene->contact.friction;
     double *friction_mu = tr_law_value(tr_laws_friction[c.friction.law], c.friction.par, "mu");
     if (friction_mu) *friction_mu = mu;
     return c;
@@ -77,11 +81,13 @@ bool tr_biaxial_init(tr_biaxial *b, const tr_scene *scene, tr_status *st) {
         b->world.wall[w] = walls[w];
     }
     b->world.n_walls = 4;
-    tr_scene_contact laws = compaction_laws(scene);
-    /* One step for both stages; a violation in the compaction would be seen. */
+    tr_scene_contact laws = tr_biaxial_compaction_laws(scene);
+    double bound;
+    const tr_scene_step step = {.safety = COMPACTION_SAFETY};
     bool ok = tr_world_set_laws(&b->world, &scene->contact, scene->shear.walls == 0, 0, st) &&
-              tr_timestep_choose(&b->world, &scene->step, 0, &b->dt_bound, st) &&
-              tr_world_set_laws(&b->world, &laws, true, 0, st);
+              tr_timestep_choose(&b->world, &scene->step, 0, &b->dt_bound, st);
+    b->dt = b->world.dt;
+    ok = ok && tr_world_set_laws(&b->world, &laws, true, 0, st) && tr_timestep_choose(&b->world, &step, 0, &bound, st);
     if (!ok) return tr_biaxial_free(b), false;
     if (closing_steps(b) > MOST_STEPS) {
         tr_status_fail(
@@ -145,6 +151,8 @@ bool tr_biaxial_begin_shear(tr_biaxial *b, tr_status *st) {
     b->height0 = w[TR_TOP_WALL].y - w[TR_BOTTOM_WALL].y;
     b->rate = shear->inertial_number * sqrt(shear->lateral_pressure / b->mean_mass);
     b->shear_start = b->world.steps;
+    b->world.dt = b->dt;
+    b->world.allow_unstable = b->scene->step.allow_unstable;
     double shear_steps = ceil(shear->strain_end / (b->rate * b->world.dt));
     if (!(shear_steps <= TR_MOST_STEPS))
         return tr_status_fail(st, TR_BAD_CASE,

@@ -10,6 +10,9 @@
  *
  * Compaction has a weak drag against the frame besides the dashpots, so that it comes to rest; the shear has none.
  *
+ * Compaction has a step of its own, so that a packing depends on nothing of the shear: what is compared by seed starts from the
+ * same packing, whatever its laws and step.
+ *
  * The shear starts from the velocities that compaction leaves and with all contact histories zero.
  */
 #ifndef TR_BIAXIAL_H
@@ -25,7 +28,7 @@ typedef struct tr_biaxial {
     double mean_mass;                 /* [kg/m] the m of the inertial number */
     double mean_radius;               /* [m] */
     double disk_area;                 /* [m^2] */
-    double dt_bound;                  /* [s] what dt is a share of */
+    double dt, dt_bound;              /* [s] of the shear, and what it is a share of */
     double drag;                      /* of the compaction: force = -drag * mass * velocity [1/s] */
     double rate;                      /* axial strain rate of the shear [1/s] */
     double height0;                   /* [m] at the start of the shear */
@@ -44,7 +47,10 @@ typedef struct tr_biaxial_state {
     double height, width;      /* [m] */
 } tr_biaxial_state;
 
-/* Throws the sample and chooses dt. A given dt above the bound is refused (TR_BAD_CASE) unless the scene allows it. The
+/* What contacts do in compaction: the normal law of the scene, friction compaction.mu, no rolling resistance. */
+tr_scene_contact tr_biaxial_compaction_laws(const tr_scene *scene);
+
+/* Throws the sample and chooses both steps. A given dt above the bound is refused (TR_BAD_CASE) unless the scene allows it. The
  * scene must outlive *b. */
 bool tr_biaxial_init(tr_biaxial *b, const tr_scene *scene, tr_status *st);
 void tr_biaxial_free(tr_biaxial *b);

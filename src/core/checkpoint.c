@@ -54,3 +54,13 @@ void tr_biaxial_checkpoint(tr_biaxial *b, tr_checkpoint *c) {
     TR_KEEP(c, b->stress_sum, 4);
     TR_KEEP(c, &b->stress_steps, 1);
 }
+
+void tr_biaxial_packing(tr_biaxial *b, tr_checkpoint *c) {
+    tr_world *world = &b->world;
+    TR_KEEP(c, world->disks.pos, 4 * world->disks.n);
+    TR_KEEP(c, world->disks.vel, 4 * world->disks.n);
+    TR_KEEP(c, world->wall, world->n_walls);
+    TR_KEEP(c, &world->steps, 1);
+    TR_KEEP(c, &world->searches, 1);
+    TR_KEEP(c, &world->refreshes, 1);
+}

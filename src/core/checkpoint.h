@@ -15,4 +15,7 @@ void tr_world_checkpoint(tr_world *world, tr_checkpoint *c);
 /* To load: after tr_biaxial_init, and tr_biaxial_begin_shear if it had begun. */
 void tr_biaxial_checkpoint(tr_biaxial *b, tr_checkpoint *c);
 
+/* The packing that compaction has made, from which tr_biaxial_begin_shear gives the same bits. To load: after tr_biaxial_init. */
+void tr_biaxial_packing(tr_biaxial *b, tr_checkpoint *c);
+
 #endif

@@ -91,8 +91,8 @@ bool tr_run_open(const tr_scene *scene, const tr_run_options *options, tr_checkp
     tr_checkpoint none;
     tr_status instead = {0};
     char *resolved = tr_scene_write(scene, tr_laws_catalog(), st);
-    bool resume =
-        resolved && options->resume && tr_checkpoint_open(c ? c : &none, options->dir, resolved, &instead, st);
+    bool resume = resolved && options->resume &&
+                  tr_checkpoint_open(c ? c : &none, options->dir, TR_CHECKPOINT, resolved, &instead, st);
     if (resume && instead.code) tr_run_note(report, "from the checkpoint before the last: %.150s", instead.text);
     bool ok = resume || (resolved && !st->code && spare_case_file(options, st) &&
                          tr_dir_clear(options->dir, options->force, st) &&

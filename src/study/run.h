@@ -8,13 +8,14 @@
 #include <signal.h>
 
 typedef struct tr_run_options {
-    const char *dir;                   /* where results go */
-    const char *case_file;             /* where the scene was read: the run refuses to write over it; may be NULL */
-    const char *title;                 /* of the film of a bodies scene */
-    bool force;                        /* replace a finished run */
-    bool resume;                       /* go on from the checkpoint, if there is one; a finished run is left as it is */
-    double checkpoint;                 /* seconds between two; kind: biaxial */
-    const volatile sig_atomic_t *stop; /* set it to stop cleanly */
+    const char *dir;       /* where results go */
+    const char *case_file; /* where the scene was read: the run refuses to write over it; may be NULL */
+    const char *title;     /* of the film of a bodies scene */
+    bool force;            /* replace a finished run */
+    bool resume;           /* go on from the checkpoint, if there is one; a finished run is left as it is */
+    double checkpoint;     /* seconds between two; kind: biaxial */
+    const char *sample;    /* kind: biaxial: file of the packing to start from, made if it is not there; may be NULL */
+    const volatile sig_atomic_t *stop;                                   /* set it to stop cleanly */
     void (*progress)(void *context, const char *stage, double fraction); /* called often; may be NULL */
     void *context;
 } tr_run_options;

@@ -7,6 +7,7 @@
 #include "base/alloc.h"
 #include "laws/law.h"
 #include "study/inset.h"
+#include "study/packing.h"
 #include "study/run_internal.h"
 #include <math.h>
 #include <stdlib.h>
@@ -70,7 +71,7 @@ static bool save(test *t, tr_status *st) {
     free(resolved);
     keep_stage(t, &c);
     keep_rest(t, &c);
-    bool ok = tr_checkpoint_write(&c, t->options->dir);
+    bool ok = tr_checkpoint_write(&c, t->options->dir, TR_CHECKPOINT);
     t->saved = tr_run_clock();
     t->out.seconds += t->saved - start;
     return ok;
@@ -102,6 +103,17 @@ static bool compact(test *t, tr_status *st) {
         if (!done && !save_if_due(t, st)) return false;
     }
     return true;
+}
+
+/* Or takes the packing from a file. One whose compaction was under way is gone on with. */
+static bool pack(test *t, bool begun, tr_status *st) {
+    tr_packing p;
+    bool there = false;
+    if (!t->options->sample || begun) return compact(t, st);
+    bool ok = tr_packing_load(&p, &t->b, t->options, &t->unbalanced, &there, st) &&
+              (there || (compact(t, st) && tr_packing_save(&p, &t->b, &t->unbalanced, st)));
+    tr_packing_close(&p);
+    return ok;
 }
 
 /* Value of a law's parameter; 0 where the law has none of that name. */
@@ -229,7 +241,8 @@ static bool prepare(test *t, tr_status *st) {
     bool compacted = t->shearing;
     tr_run_report *report = t->report;
     if (!tr_biaxial_init(&t->b, t->scene, st)) return false;
-    if (!compacted && !(resume(t) && compact(t, st))) return false;
+    bool begun = t->resume.loading;
+    if (!compacted && !(resume(t) && pack(t, begun, st))) return false;
     if (!tr_biaxial_begin_shear(&t->b, st)) return false;
     t->shearing = true;
     if (t->rehearsal) return resume(t);

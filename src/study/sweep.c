@@ -3,6 +3,7 @@
 #include "study/sweep.h"
 
 #include "base/alloc.h"
+#include "base/hash.h"
 #include "laws/law.h"
 #include "out/dir.h"
 #include "study/run.h"
@@ -31,7 +32,7 @@ static const char *short_key(const tr_grid *g, int axis) {
 
 void tr_grid_name(const tr_grid *g, int point, char name[TR_POINT_NAME]) {
     enum { HASH = 9 };
-    uint32_t hash = 2166136261u; /* FNV-1a */
+    uint64_t hash = TR_HASH_BEGIN;
     size_t used = 0, room = TR_POINT_NAME - HASH - 1;
     bool exact = true;
     for (int i = 0; i < g->n_named; i++) {
@@ -39,7 +40,7 @@ void tr_grid_name(const tr_grid *g, int point, char name[TR_POINT_NAME]) {
         for (int k = 0; k < 4; k++) {
             for (const char *p = part[k]; *p; p++) {
                 bool plain = strchr("+-._,=", *p) || (*p >= '0' && *p <= '9') || ((*p | 32) >= 'a' && (*p | 32) <= 'z');
-                hash = (hash ^ (unsigned char)*p) * 16777619u;
+                hash = tr_hash(hash, p, 1);
                 exact = exact && plain && used < room;
                 if (used < room) name[used++] = plain ? *p : '_';
             }

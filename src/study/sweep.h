@@ -88,7 +88,8 @@ typedef struct tr_grid_report {
     int before, ran, failed; /* points finished before, run now, failed now */
 } tr_grid_report;
 
-/* Runs what is missing, each point as a child process of this same program. All points are checked before the first runs. Points
+/* Runs what is missing, each point as a child process of this same program; packings go to dir/samples, and points that compact the
+ * same one share it. All points are checked before the first runs. Points
  * that fail are told by `say`, and counted, and in the end TR_NUMERICAL; they do not stop the others. */
 bool tr_grid_run(const tr_grid *g, const tr_grid_options *options, tr_grid_report *report, tr_status *st);
 

@@ -7,7 +7,9 @@
 #include "study/sweep.h"
 
 #include "base/alloc.h"
+#include "base/hash.h"
 #include "out/dir.h"
+#include "study/packing.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -63,16 +65,23 @@ static void become(char *const *arguments, const char *log, pid_t parent) {
     raise(SIGKILL);
 }
 
-/* trundle run BASE --force|--resume -o PATH --set ... */
-static pid_t start(const tr_grid *g, bool begun, char **sets, char *path, char *log, tr_status *st) {
-    const char **arguments = tr_alloc((size_t)g->n_axes * 2 + 7, sizeof *arguments, st);
+/* What a child is told: trundle run BASE --force|--resume -o PATH --sample FILE --set ... */
+typedef struct order {
+    char path[TR_PATH], log[TR_PATH], sample[TR_PATH];
+    bool begun;
+    char **sets;
+} order;
+
+static pid_t start(const tr_grid *g, const order *what, tr_status *st) {
+    const char **arguments = tr_alloc((size_t)g->n_axes * 2 + 9, sizeof *arguments, st);
     if (!arguments) return -1;
     int n = 0;
-    const char *const head[] = {"trundle", "run", g->base, begun ? "--resume" : "--force", "-o", path};
-    for (; n < 6; n++) arguments[n] = head[n];
-    for (int i = 0; i < g->n_axes; i++) arguments[n++] = "--set", arguments[n++] = sets[i];
+    const char *const head[] = {"trundle", "run",      g->base,    what->begun ? "--resume" : "--force",
+                                "-o",      what->path, "--sample", what->sample};
+    for (; n < 8; n++) arguments[n] = head[n];
+    for (int i = 0; i < g->n_axes; i++) arguments[n++] = "--set", arguments[n++] = what->sets[i];
     pid_t parent = getpid(), pid = fork();
-    if (pid == 0) become((char *const *)arguments, log, parent);
+    if (pid == 0) become((char *const *)arguments, what->log, parent);
     if (pid < 0) tr_status_fail(st, TR_FILE, "error: cannot start a run: %s", strerror(errno));
     free(arguments);
     return pid;
@@ -84,16 +93,31 @@ static bool fail(runner *r, int point, const char *what) {
     return true;
 }
 
+/* DIR/samples/HASH.bin: points that compact the same sample share it. */
+static bool name_sample(const runner *r, int point, char sample[TR_PATH]) {
+    char name[32], samples[TR_PATH];
+    tr_scene scene;
+    if (!tr_grid_scene(r->g, point, &scene, r->st)) return false;
+    char *text = tr_packing_text(&scene, r->st);
+    tr_scene_free(&scene);
+    if (!text) return false;
+    snprintf(name, sizeof name, "%016llx.bin", (unsigned long long)tr_hash(TR_HASH_BEGIN, text, strlen(text)));
+    free(text);
+    return tr_dir_make(r->o->dir, "samples", r->st) && tr_dir_path(samples, r->o->dir, "samples", r->st) &&
+           tr_dir_path(sample, samples, name, r->st);
+}
+
 /* False: no further point can be started either. */
 static bool begin(runner *r, job *free_job, int point) {
-    char name[TR_POINT_NAME], path[TR_PATH], log[TR_PATH];
+    char name[TR_POINT_NAME];
+    order what = {.begun = r->state[point - r->o->first] == TR_POINT_BEGUN};
     tr_grid_name(r->g, point, name);
-    if (!tr_dir_make(r->o->dir, name, r->st) || !tr_dir_path(path, r->o->dir, name, r->st) ||
-        !tr_dir_path(log, path, "log", r->st))
+    if (!tr_dir_make(r->o->dir, name, r->st) || !tr_dir_path(what.path, r->o->dir, name, r->st) ||
+        !tr_dir_path(what.log, what.path, "log", r->st) || !name_sample(r, point, what.sample))
         return false;
-    char **sets = tr_grid_sets(r->g, point, r->st);
-    pid_t pid = sets ? start(r->g, r->state[point - r->o->first] == TR_POINT_BEGUN, sets, path, log, r->st) : -1;
-    tr_grid_sets_free(r->g, sets);
+    what.sets = tr_grid_sets(r->g, point, r->st);
+    pid_t pid = what.sets ? start(r->g, &what, r->st) : -1;
+    tr_grid_sets_free(r->g, what.sets);
     if (pid < 0) return false;
     *free_job = (job){pid, point};
     r->running++;

@@ -84,7 +84,7 @@ static bool save(int64_t steps, tr_status *st) {
     body b = body_of(steps);
     tr_checkpoint_begin(&c, CASE, st);
     keep(&b, &c);
-    return tr_checkpoint_write(&c, dir);
+    return tr_checkpoint_write(&c, dir, TR_CHECKPOINT);
 }
 
 static void must_save(int64_t steps) {
@@ -97,7 +97,7 @@ static int64_t load(const char *text, tr_status *instead, tr_status *st) {
     tr_checkpoint c;
     body b = {.steps = -1};
     *instead = *st = (tr_status){0};
-    if (!tr_checkpoint_open(&c, dir, text, instead, st)) return -1;
+    if (!tr_checkpoint_open(&c, dir, TR_CHECKPOINT, text, instead, st)) return -1;
     assert_true(c.loading);
     keep(&b, &c);
     if (!tr_checkpoint_close(&c)) return -1;
@@ -260,7 +260,7 @@ static void test_other_fields_are_named(void **state) {
         tr_checkpoint c;
         tr_status instead = {0}, st = {0};
         must_save(7);
-        assert_true(tr_checkpoint_open(&c, dir, CASE, &instead, &st));
+        assert_true(tr_checkpoint_open(&c, dir, TR_CHECKPOINT, CASE, &instead, &st));
         if (which == 0) TR_KEEP(&c, y, N);
         if (which == 1) TR_KEEP(&c, b.x, N);
         if (which == 2) tr_checkpoint_field(&c, "b->x", b.x, sizeof *b.x, N - 1);
@@ -273,7 +273,7 @@ static void test_other_fields_are_named(void **state) {
     }
     tr_checkpoint c;
     tr_status instead = {0}, st = {0};
-    assert_true(tr_checkpoint_open(&c, dir, CASE, &instead, &st));
+    assert_true(tr_checkpoint_open(&c, dir, TR_CHECKPOINT, CASE, &instead, &st));
     tr_checkpoint_field(&c, "b->x", b.x, sizeof *b.x, N);
     assert_false(tr_checkpoint_close(&c));
     assert_non_null(strstr(st.text, "it has b->steps, this one has not"));

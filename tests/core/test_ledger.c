@@ -11,7 +11,7 @@ static double residual(uint64_t seed, test_laws laws, double safety, bool check)
     tr_scene scene = biaxial_scene(100, seed, laws);
     tr_biaxial b;
     compact(&b, &scene);
-    b.world.dt = safety * b.dt_bound;
+    b.dt = safety * b.dt_bound;
     begin_shear(&b);
     tr_energy before = {0}, now = {0};
     for (int64_t k = 0;; k++) {

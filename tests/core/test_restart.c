@@ -75,13 +75,13 @@ static void save(tr_biaxial *b) {
     tr_status st = {0};
     tr_checkpoint_begin(&c, "case", &st);
     tr_biaxial_checkpoint(b, &c);
-    if (!tr_checkpoint_write(&c, dir)) fail_msg("%s", st.text);
+    if (!tr_checkpoint_write(&c, dir, TR_CHECKPOINT)) fail_msg("%s", st.text);
 }
 
 static void load(tr_biaxial *b) {
     tr_checkpoint c;
     tr_status st = {0}, instead = {0};
-    assert_true(tr_checkpoint_open(&c, dir, "case", &instead, &st));
+    assert_true(tr_checkpoint_open(&c, dir, TR_CHECKPOINT, "case", &instead, &st));
     tr_biaxial_checkpoint(b, &c);
     if (!tr_checkpoint_close(&c)) fail_msg("%s", st.text);
 }

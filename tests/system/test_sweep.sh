@@ -48,6 +48,7 @@ summaries() { find "$1" -name summary.json | wc -l; }
 check 'it runs' sweep_gives 0 sweep.yaml -o two -j 2
 check 'and says what it did' says stdout '12: 0 finished before, 12 run now, 0 failed'
 check 'a directory for each point' equals "$(summaries two)" 12
+check 'one packing for each seed' equals "$(find two/samples -name '*.bin*' | wc -l)" 3
 check 'one at a time: the same bytes' sweep_gives 0 sweep.yaml -o one -j 1
 check 'indeed' same one two
 by_hand() {
