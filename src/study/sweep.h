@@ -8,7 +8,7 @@
  *     seeds: 1-8                    # or [1, 2, 5]
  *     vary: {contact.mu_r: [0, 0.2], shear.inertial_number: {from: 1e-4, to: 1e-2, points: 5, scale: log}}
  *     set: {output.frames: 0}       # the same for all points
- *     compare: {key: contact.mu_r, to: 0}
+ *     compare: {key: contact.mu_r, to: 0}                       # or a list of such
  *     collect: [sin_phi_peak]       # numbers of summary.json
  *
  * Every value stays the text that it is: a point is a list of --sets, and what they mean is for the reader of cases to say.
@@ -35,6 +35,11 @@ typedef struct tr_axis {
     int n;
 } tr_axis;
 
+/* All points less those of one value of an axis. */
+typedef struct tr_compare {
+    int axis, to;
+} tr_compare;
+
 typedef struct tr_grid {
     tr_source source;
     char *text;
@@ -46,7 +51,8 @@ typedef struct tr_grid {
     const char **collect;
     tr_mark *collect_mark;
     int n_collect;
-    int compare, to; /* axis, value that the others are compared with; compare < 0: none */
+    tr_compare *compare;
+    int n_compare;
 } tr_grid;
 
 /* many: more than TR_MANY_POINTS are meant. On failure the grid is for tr_grid_free too. */
@@ -94,7 +100,8 @@ typedef struct tr_grid_report {
 bool tr_grid_run(const tr_grid *g, const tr_grid_options *options, tr_grid_report *report, tr_status *st);
 
 /* Writes dir/collect.csv from the summaries of all finished points: for each combination and number the mean over the seeds, its
- * standard error and 95 % interval, and with `compare` the same of the differences by seed. missing: points not finished. */
+ * standard error and 95 % interval, and in rows of their own, with `minus` telling from what, the same of the differences by seed
+ * that `compare` asks for. missing: points not finished. */
 bool tr_grid_collect(const tr_grid *g, const char *dir, int *missing, tr_status *st);
 
 #endif

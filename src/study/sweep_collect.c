@@ -60,29 +60,35 @@ static int with(const tr_grid *g, int combination, int axis, int value) {
 
 static void put_header(FILE *out, const tr_grid *g) {
     for (int i = 0; i < g->n_vary; i++) put_text(out, g->axis[i].key), putc(',', out);
-    fputs("quantity,seeds,mean,standard_error,low_95,high_95", out);
-    if (g->compare >= 0) fputs(",pairs,difference,difference_error,difference_low_95,difference_high_95", out);
+    fputs("quantity,minus,seeds,mean,standard_error,low_95,high_95\n", out);
+}
+
+/* c: NULL for the quantity itself. x: room for a number of each seed */
+static void put_row(FILE *out, const tr_grid *g, int combination, int k, const tr_compare *c, const double *value,
+                    double *x) {
+    const double *of = value + (size_t)k * (size_t)g->n;
+    char minus[512] = "";
+    for (int i = 0; i < g->n_vary; i++)
+        put_text(out, g->axis[i].value[tr_grid_value(g, combination, i)]), putc(',', out);
+    put_text(out, g->collect[k]), putc(',', out);
+    if (c) snprintf(minus, sizeof minus, "%s=%s", g->axis[c->axis].key, g->axis[c->axis].value[c->to]);
+    put_text(out, minus);
+    int other = c ? with(g, combination, c->axis, c->to) : 0;
+    for (int s = 0; s < g->seeds; s++)
+        x[s] = of[s * g->combinations + combination] - (c ? of[s * g->combinations + other] : 0);
+    tr_mean mean = tr_mean_of(x, g->seeds);
+    put_mean(out, &mean);
     putc('\n', out);
 }
 
-/* x: room for a number of each seed */
-static void put_row(FILE *out, const tr_grid *g, int combination, int k, const double *value, double *x) {
-    const double *of = value + (size_t)k * (size_t)g->n;
-    for (int i = 0; i < g->n_vary; i++)
-        put_text(out, g->axis[i].value[tr_grid_value(g, combination, i)]), putc(',', out);
-    put_text(out, g->collect[k]);
-    for (int s = 0; s < g->seeds; s++) x[s] = of[s * g->combinations + combination];
-    tr_mean mean = tr_mean_of(x, g->seeds);
-    put_mean(out, &mean);
-    if (g->compare >= 0 && tr_grid_value(g, combination, g->compare) == g->to) {
-        fputs(",,,,,", out);
-    } else if (g->compare >= 0) {
-        int other = with(g, combination, g->compare, g->to);
-        for (int s = 0; s < g->seeds; s++) x[s] -= of[s * g->combinations + other];
-        mean = tr_mean_of(x, g->seeds);
-        put_mean(out, &mean);
+static void put_rows(FILE *out, const tr_grid *g, const double *value, double *x) {
+    for (int c = -1; c < g->n_compare; c++) {
+        const tr_compare *compare = c < 0 ? NULL : &g->compare[c];
+        for (int i = 0; i < g->combinations; i++) {
+            if (compare && tr_grid_value(g, i, compare->axis) == compare->to) continue;
+            for (int k = 0; k < g->n_collect; k++) put_row(out, g, i, k, compare, value, x);
+        }
     }
-    putc('\n', out);
 }
 
 bool tr_grid_collect(const tr_grid *g, const char *dir, int *missing, tr_status *st) {
@@ -94,8 +100,7 @@ bool tr_grid_collect(const tr_grid *g, const char *dir, int *missing, tr_status 
     for (int point = 0; ok && point < g->n; point++) ok = read_point(g, point, dir, value, missing, st);
     if (ok && tr_file_open(&file, dir, "collect.csv", st)) {
         put_header(file.stream, g);
-        for (int c = 0; c < g->combinations; c++)
-            for (int k = 0; k < g->n_collect; k++) put_row(file.stream, g, c, k, value, x);
+        put_rows(file.stream, g, value, x);
         tr_file_commit(&file, st);
     }
     free(value);

@@ -224,24 +224,37 @@ static bool count_points(const reader *r) {
     return true;
 }
 
-static bool read_compare(const reader *r) {
+static bool read_comparison(const reader *r, const tr_node *node) {
     static const char *const keys[] = {"key", "to", NULL};
     tr_grid *g = r->g;
-    const tr_node *node = tr_tree_find(g->root, "compare");
-    g->compare = -1;
-    if (!node) return true;
     if (!check_keys(r, node, keys, "`compare`")) return false;
     const tr_node *key_node = tr_tree_find(node, "key"), *to_node = tr_tree_find(node, "to");
     const char *key = text_of(r, key_node, node, "key", "a key of `vary`"),
                *to = key ? text_of(r, to_node, node, "to", "the value that the others are compared with") : NULL;
     if (!to) return false;
-    for (int i = 0; i < g->n_vary; i++)
-        if (strcmp(g->axis[i].key, key) == 0) g->compare = i;
-    if (g->compare < 0) return tr_text_fail(r->st, key_node->mark, "`%s` is not in `vary`", tr_text_show(key).text);
-    const tr_axis *axis = &g->axis[g->compare];
-    for (g->to = 0; g->to < axis->n && strcmp(axis->value[g->to], to) != 0;) g->to++;
-    return g->to < axis->n || tr_text_fail(r->st, to_node->mark, "`%s` is not among the values of `%s`",
-                                           tr_text_show(to).text, tr_text_show(key).text);
+    tr_compare c = {0};
+    while (c.axis < g->n_vary && strcmp(g->axis[c.axis].key, key) != 0) c.axis++;
+    if (c.axis == g->n_vary)
+        return tr_text_fail(r->st, key_node->mark, "`%s` is not in `vary`", tr_text_show(key).text);
+    const tr_axis *axis = &g->axis[c.axis];
+    while (c.to < axis->n && strcmp(axis->value[c.to], to) != 0) c.to++;
+    if (c.to == axis->n)
+        return tr_text_fail(r->st, to_node->mark, "`%s` is not among the values of `%s`", tr_text_show(to).text,
+                            tr_text_show(key).text);
+    g->compare[g->n_compare++] = c;
+    return true;
+}
+
+/* One, or a list of them. */
+static bool read_compare(const reader *r) {
+    tr_grid *g = r->g;
+    const tr_node *node = tr_tree_find(g->root, "compare");
+    if (!node) return true;
+    bool list = node->type == TR_NODE_LIST;
+    g->compare = tr_alloc(list ? (size_t)tr_tree_count(node) : 1, sizeof *g->compare, r->st);
+    for (const tr_node *item = list ? node->child : node; item && !r->st->code; item = list ? item->next : NULL)
+        read_comparison(r, item);
+    return !r->st->code;
 }
 
 static bool read_collect(const reader *r) {
@@ -277,7 +290,7 @@ static bool read_base(const reader *r) {
 
 bool tr_grid_read(tr_grid *g, const char *path, bool many, tr_status *st) {
     static const char *const keys[] = {"kind", "base", "seeds", "vary", "set", "compare", "collect", NULL};
-    *g = (tr_grid){.compare = -1};
+    *g = (tr_grid){0};
     reader r = {g, many, st};
     size_t size;
     if (!(g->text = tr_text_file(path, &size, st))) return false;
@@ -300,8 +313,9 @@ void tr_grid_free(tr_grid *g) {
     free(g->axis);
     free(g->collect);
     free(g->collect_mark);
+    free(g->compare);
     free(g->base);
     tr_tree_free(g->root);
     free(g->text);
-    *g = (tr_grid){.compare = -1};
+    *g = (tr_grid){0};
 }
