@@ -12,8 +12,7 @@ trap 'rm -rf "$work"' EXIT
 
 # follow CASE [--set KEY=VALUE]...
 follow() {
-    # Without a PATH the run finds no gnuplot, whose curves are not wanted here.
-    PATH='' "$trundle" run "$@" --force >"$work/said" 2>&1 || { cat "$work/said" >&2; exit 1; }
+    "$trundle" run "$@" --force --set output.curves=no >"$work/said" 2>&1 || { cat "$work/said" >&2; exit 1; }
 }
 sed 's/half-plane/carter/; /steps: 1}/d; s/snapshots: .*}/snapshots: 1}/' "$case" >"$work/carter.yaml"
 echo 'what,q,roll_over_a,x_over_a,value' # value: traction over mu p0, or L1 distance to Carter's over that at the start

@@ -15,8 +15,7 @@ trap 'rm -rf "$work"' EXIT
 follow() {
     followed=$1 creepage=$2
     shift 2
-    # Without a PATH the run finds no gnuplot, whose curves are not wanted here.
-    PATH='' "$trundle" run "$followed" -o "$work/run" --force --set "path.0.slide=$creepage*0.3*a/R_star*roll" "$@" \
+    "$trundle" run "$followed" -o "$work/run" --force --set output.curves=no --set "path.0.slide=$creepage*0.3*a/R_star*roll" "$@" \
         >"$work/said" 2>&1 || { cat "$work/said" >&2; exit 1; }
 }
 ratios=$(seq 1 0.02 1.4) # k/k0, from 1

@@ -32,8 +32,7 @@ echo "$ratios" | awk '
 "$1" measures "$work/motions.csv" >"$work/measures.csv"
 
 for ratio in $ratios; do
-    # Without a PATH the run finds no gnuplot, whose curves are not wanted here.
-    PATH='' "$1" run "$case" --set "bodies.R2=$ratio*bodies.R1" -o "$work/run" --force >"$work/said" 2>&1 || { cat "$work/said" >&2; exit 1; }
+    "$1" run "$case" --set output.curves=no --set "bodies.R2=$ratio*bodies.R1" -o "$work/run" --force >"$work/said" 2>&1 || { cat "$work/said" >&2; exit 1; }
     sed "1d; s/^/$ratio,/" "$work/run/contact.csv"
 done >"$work/cycles.csv"
 

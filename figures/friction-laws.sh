@@ -12,8 +12,7 @@ trap 'rm -rf "$work"' EXIT
 
 # follow SHAPE CASE
 follow() {
-    # Without a PATH the run finds no gnuplot, whose curves are not wanted here.
-    PATH='' "$trundle" run "$2" -o "$work/run" --force >"$work/said" 2>&1 || { cat "$work/said" >&2; exit 1; }
+    "$trundle" run "$2" -o "$work/run" --force --set output.curves=no >"$work/said" 2>&1 || { cat "$work/said" >&2; exit 1; }
     awk '/friction: / {print $2 == "-" ? $4 : $2}' "$work/run/case.yaml" >"$work/laws"
     sort -t, -k1,1n -k2,2n "$work/run/contact.csv" | awk -v shape="$1" '
         NR == FNR {name[n++] = $1; next}

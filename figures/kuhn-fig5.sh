@@ -11,8 +11,7 @@ trap 'rm -rf "$work"' EXIT
 
 # follow PANEL RATIO SLIDE ROLL
 follow() {
-    # Without a PATH the run finds no gnuplot, whose curves are not wanted here.
-    PATH='' "$trundle" run "$case" -o "$work/run" --force --set "path.0.slide=$3" --set "path.0.roll=$4" >"$work/said" 2>&1 ||
+    "$trundle" run "$case" -o "$work/run" --force --set output.curves=no --set "path.0.slide=$3" --set "path.0.roll=$4" >"$work/said" 2>&1 ||
         { cat "$work/said" >&2; exit 1; }
     awk -F, -v panel="$1" -v ratio="$2" '
         BEGIN {OFS = ","; print panel, ratio, 0, 0, 0}

@@ -12,8 +12,7 @@ trap 'rm -rf "$work"' EXIT
 follow() {
     path=$1
     shift
-    # Without a PATH the run finds no gnuplot, whose curves are not wanted here.
-    PATH='' "$trundle" run "$case" -o "$work/run" --force "$@" >"$work/said" 2>&1 || { cat "$work/said" >&2; exit 1; }
+    "$trundle" run "$case" -o "$work/run" --force --set output.curves=no "$@" >"$work/said" 2>&1 || { cat "$work/said" >&2; exit 1; }
     sort -t, -k1,1n -k2,2n "$work/run/contact.csv" | awk -F, -v path="$path" '
         BEGIN {
             split("wang-spring,bagi-kuhn-conjugate,star-displacement-damping,star-displacement-damping with dashpot," \

@@ -6,7 +6,7 @@
 tr_measures tr_measures_of(const tr_world *world, const tr_record *records, int n) {
     tr_measures m = {.n_contacts = n};
     double rolled = 0, moved = 0, forces = 0, net = 0, ends = 0;
-    int sliding = 0;
+    int sliding = 0, opposed = 0;
     for (int i = 0; i < n; i++) {
         const tr_record *c = &records[i];
         bool disks = c->a >= 0;
@@ -17,6 +17,7 @@ tr_measures tr_measures_of(const tr_world *world, const tr_record *records, int 
         m.largest_overlap = fmax(m.largest_overlap, c->delta / (disks ? fmin(c->R1, c->R2) : c->R2));
         if (!disks) continue;
         sliding += c->mobilisation >= 1 - 1e-9; /* f_t is clamped to the bound: equal but for rounding */
+        opposed += c->s1 * c->s2 < 0;
         m.mobilisation += c->mobilisation;
         rolled += fabs(c->v_r);
         moved += fabs(c->v_r) + fabs(c->v_s);
@@ -26,6 +27,7 @@ tr_measures tr_measures_of(const tr_world *world, const tr_record *records, int 
     m.coordination = ends / disks;
     if (m.n_disk_contacts) {
         m.sliding_fraction = (double)sliding / m.n_disk_contacts;
+        m.opposed_fraction = (double)opposed / m.n_disk_contacts;
         m.mobilisation /= m.n_disk_contacts;
     }
     m.rolling_share = moved > 0 ? rolled / moved : 0;

@@ -11,10 +11,14 @@ typedef struct tr_measures {
     double coordination;     /* (2 disk-disk + wall-disk contacts) / disks */
     double sliding_fraction; /* share of the disk-disk contacts at the friction bound */
     double rolling_share;    /* sum |V_r| / sum (|V_r| + |V_s|) over disk-disk contacts */
-    double mobilisation;     /* mean over disk-disk contacts */
-    double unbalanced;       /* mean net force on a disk / mean contact force */
-    double mean_f_n;         /* [N/m] */
-    double largest_overlap;  /* delta / smaller radius */
+    double
+        opposed_fraction;   /* share of the disk-disk contacts with s1 s2 < 0: the rims run opposite ways, as in sliding
+                                (pure rolling: s1 = s2), and "model 2" sees no rolling [Wang2015 eqs. 23-24, Fig. 5].
+                                The same as |s1 - s2| > |s1 + s2|: more sliding than mean flow through the contact */
+    double mobilisation;    /* mean over disk-disk contacts */
+    double unbalanced;      /* mean net force on a disk / mean contact force */
+    double mean_f_n;        /* [N/m] */
+    double largest_overlap; /* delta / smaller radius */
 } tr_measures;
 
 /* From the state of the last tr_step_forces and its records. */

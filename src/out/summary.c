@@ -20,10 +20,12 @@ tr_strength tr_summary_strength(const tr_series *s) {
             best = sum / window, r.strain_peak = s->strain[i] - 0.5 * (window - 1) * spacing;
         if (s->strain[i] < r.residual_from) continue;
         r.sin_phi_residual += s->sin_phi[i], r.e_residual += s->void_ratio[i];
+        r.rolling_share += s->rolling_share[i], r.opposed_fraction += s->opposed_fraction[i];
         kept++;
     }
     r.sin_phi_peak = best;
     r.sin_phi_residual /= kept, r.e_residual /= kept;
+    r.rolling_share /= kept, r.opposed_fraction /= kept;
     return r;
 }
 
@@ -109,6 +111,8 @@ char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, 
     add(o, "tan_phi_residual", tan(asin(s->sin_phi_residual)));
     add(o, "q_over_p_peak", 2 * s->sin_phi_peak);
     add(o, "q_over_p_residual", 2 * s->sin_phi_residual);
+    add(o, "rolling_share_residual", s->rolling_share);
+    add(o, "opposed_fraction_residual", s->opposed_fraction);
     add(o, "residual_from_strain", s->residual_from);
     add(o, "strain_end", scene->shear.strain_end);
     add_by_shape(o, scene->shape, "mean_stress_2_Pa|mean_stress_2_N_per_m", mean_stress_2);

@@ -15,7 +15,7 @@ typedef struct tr_timing {
 /* Rows of the shear as the summary needs them. */
 typedef struct tr_series {
     int n;
-    double *strain, *sin_phi, *void_ratio;
+    double *strain, *sin_phi, *void_ratio, *rolling_share, *opposed_fraction;
 } tr_series;
 
 /* What a biaxial test is quoted by. */
@@ -24,7 +24,9 @@ typedef struct tr_strength {
     double strain_peak;      /* strain at the middle of that window */
     double sin_phi_residual; /* mean over the last quarter of the strain: 15-20 % of 20 % */
     double e_residual;       /* void ratio, the same mean */
-    double residual_from;    /* strain at which the last quarter starts */
+    double rolling_share;    /* tr_measures, the same mean */
+    double opposed_fraction;
+    double residual_from; /* strain at which the last quarter starts */
 } tr_strength;
 
 /* What a law did on the path of a contact. */

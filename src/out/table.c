@@ -47,6 +47,7 @@ void tr_row_biaxial(tr_row *row, const tr_biaxial_state *s, const tr_measures *m
     tr_row_add(row, m->coordination, "coordination");
     tr_row_add(row, m->sliding_fraction, "sliding_fraction");
     tr_row_add(row, m->rolling_share, "rolling_share");
+    tr_row_add(row, m->opposed_fraction, "opposed_fraction");
     tr_row_add(row, m->mobilisation, "mobilisation");
     tr_row_add(row, tan(asin(s->sin_phi)), "tan_phi");
     tr_row_add(row, 2 * s->sin_phi, "q_over_p"); /* q = s1 - s2, p = (s1 + s2)/2 */

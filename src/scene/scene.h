@@ -78,6 +78,7 @@ typedef struct tr_scene_output {
     int contacts;         /* instants at which contacts.csv lists the contacts */
     int color;            /* tr_color: field that colours the contacts in frames */
     bool energy;          /* keep the energy ledger */
+    bool curves;          /* draw history.csv or contact.csv with gnuplot; not bodies */
     tr_scene_picks paths; /* contacts whose path is written to paths/NAME.csv */
     int curve;            /* bodies: tr_curve drawn beside the motion */
     double still;         /* bodies: time of still.png [s] */

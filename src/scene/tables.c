@@ -167,6 +167,9 @@ static const tr_param output_biaxial[] = {
      "what colours the contacts: |f_t|/(mu f_n), sliding or rolling velocity"},
     {"energy", TR_SWITCH, TR_DIM_NUMBER, "", "yes", 0, 0, NULL, AT(energy), "keep the energy ledger"},
 };
+static const tr_param output_curves[] = {
+    {"curves", TR_SWITCH, TR_DIM_NUMBER, "", "yes", 0, 0, NULL, AT(curves), "draw the curves with gnuplot"},
+};
 #undef STRUCT
 
 #define STRUCT tr_scene_patch
@@ -333,6 +336,7 @@ const tr_section tr_sections[] = {
     SECTION("output", "", TR_FOR_BIAXIAL, output_biaxial, .offset = AT(output)),
     SECTION("output", "", TR_FOR_BODIES, output_bodies, .offset = AT(output)),
     SECTION("output", "what is written", TR_FOR_PATCH, output_patch, .offset = AT(patch)),
+    SECTION("output", "what is written", TR_FOR_BIAXIAL | TR_FOR_PAIR, output_curves, .offset = AT(output)),
     SECTION("disks", "", TR_FOR_BODIES, disk, LIST(disks, n_disks, 1, 1000)),
     SECTION("walls", "rigid planes", TR_FOR_BODIES, wall, LIST(walls, n_walls, 0, 100)),
     CHECKS(check, 0),

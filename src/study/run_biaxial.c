@@ -58,6 +58,8 @@ static void keep_rest(test *t, tr_checkpoint *c) {
     TR_KEEP(c, t->series.strain, t->series.n);
     TR_KEEP(c, t->series.sin_phi, t->series.n);
     TR_KEEP(c, t->series.void_ratio, t->series.n);
+    TR_KEEP(c, t->series.rolling_share, t->series.n);
+    TR_KEEP(c, t->series.opposed_fraction, t->series.n);
     tr_inset_checkpoint(&t->inset, c);
     tr_outputs_checkpoint(&t->out, c);
 }
@@ -174,7 +176,9 @@ static bool row(test *t, const tr_measures *m, tr_status *st) {
     if (energy) t->energy = tr_ledger_read(&t->b.world);
     t->series.strain[t->series.n] = t->state.strain;
     t->series.sin_phi[t->series.n] = t->state.sin_phi;
-    t->series.void_ratio[t->series.n++] = t->state.void_ratio;
+    t->series.void_ratio[t->series.n] = t->state.void_ratio;
+    t->series.rolling_share[t->series.n] = m->rolling_share;
+    t->series.opposed_fraction[t->series.n++] = m->opposed_fraction;
     bool early = t->state.strain <= fmin(0.01, 0.5 * t->scene->shear.strain_end);
     if (!early) t->stress_2_sum += t->state.stress_2, t->stress_2_n++;
     tr_row_biaxial(&cells, &t->state, m, energy ? &t->energy : NULL);
@@ -277,6 +281,8 @@ static void report(test *t, const tr_strength *s, const tr_timing *timing) {
     tr_run_say(r, "sin phi, residual", "%.3f (mean over %.3g-%.3g %% strain)", s->sin_phi_residual,
                100 * s->residual_from, 100 * t->scene->shear.strain_end);
     tr_run_say(r, "void ratio, residual", "%.4f", s->e_residual);
+    tr_run_say(r, "rolling share, residual", "%.3f", s->rolling_share);
+    tr_run_say(r, "contacts with s1 s2 < 0", "%.1f %%, residual", 100 * s->opposed_fraction);
     tr_run_say(r, "lateral stress", "%.4g %s, asked %.4g", t->stress_2_sum / t->stress_2_n,
                t->scene->shape == TR_SHAPE_SPHERE ? "N/m" : "Pa", t->scene->shear.lateral_pressure);
     if (t->b.world.ledger) tr_run_say(r, "energy residual/work", "%.1e", t->energy.residual / t->energy.work);
@@ -295,9 +301,10 @@ static bool summarise(test *t, double started, double updates_per_s, tr_status *
              tr_biaxial_stiffness(&t->b, scene->shear.lateral_pressure) / scene->shear.lateral_pressure,
              t->b.world.group[0].slot[TR_ROLLING].law->table.name,
              tr_rolling_velocities[scene->contact.rolling_velocity].name);
-    if (!tr_plot_available())
+    if (scene->output.curves && !tr_plot_available())
         tr_run_note(t->report, "no curves: gnuplot is not installed; history.csv has the numbers");
-    else if (!tr_plot_biaxial(t->options->dir, caption, fmax(t->state.strain, scene->shear.strain_end), &code, st))
+    else if (scene->output.curves &&
+             !tr_plot_biaxial(t->options->dir, caption, fmax(t->state.strain, scene->shear.strain_end), &code, st))
         return false;
     else if (code)
         tr_run_note(t->report, "no curves: gnuplot failed (%d) on plot.gp; run it there to see why", code);
@@ -328,6 +335,8 @@ bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run
     bool ok = (t->series.strain = tr_alloc(rows, sizeof(double), st)) &&
               (t->series.sin_phi = tr_alloc(rows, sizeof(double), st)) &&
               (t->series.void_ratio = tr_alloc(rows, sizeof(double), st)) &&
+              (t->series.rolling_share = tr_alloc(rows, sizeof(double), st)) &&
+              (t->series.opposed_fraction = tr_alloc(rows, sizeof(double), st)) &&
               tr_run_open(scene, options, &t->resume, report, st);
     if (ok && t->resume.loading) keep_stage(t, &t->resume);
     bool rehearsed = t->resume.loading && !t->rehearsal;
@@ -347,6 +356,7 @@ bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run
     tr_biaxial_free(&t->b);
     tr_inset_close(&t->inset);
     free(t->resume.bytes);
-    free(t->series.strain), free(t->series.sin_phi), free(t->series.void_ratio), free(t);
+    free(t->series.strain), free(t->series.sin_phi), free(t->series.void_ratio);
+    free(t->series.rolling_share), free(t->series.opposed_fraction), free(t);
     return ok;
 }

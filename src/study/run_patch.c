@@ -158,6 +158,7 @@ static void note_coarse(const show *s, tr_run_report *report) {
 }
 
 static bool plot(const show *s, tr_run_report *report, tr_status *st) {
+    if (!s->scene->output.curves) return true;
     if (!tr_plot_available())
         return tr_run_note(report, "no curves: gnuplot is not installed; contact.csv has the numbers"), true;
     const char *label[] = {solver_name[s->scene->patch.solver]};

@@ -5,15 +5,17 @@
 #include "out/summary.h"
 
 /* 401 rows, strain 0..0.2 in steps of 0.0005: a window of 0.5 % strain is 10 rows. sin phi rises by 0.01 a row to 0.5 at row 50, has a
- * spike of one row at row 100, and is 0.3 from row 200 on; the void ratio is the strain. */
+ * spike of one row at row 100, and is 0.3 from row 200 on; the void ratio is the strain.
+ * The share of rolling rises at row 299; the fraction of contacts with s1 s2 < 0 falls with the row. */
 static void test_strength(void **state) {
     (void)state;
-    static double strain[401], sin_phi[401], void_ratio[401];
+    static double strain[401], sin_phi[401], void_ratio[401], rolling[401], opposed[401];
     for (int i = 0; i < 401; i++) {
         strain[i] = void_ratio[i] = 0.0005 * i;
         sin_phi[i] = i < 50 ? 0.01 * i : i == 100 ? 0.9 : i < 200 ? 0.5 : 0.3;
+        rolling[i] = i < 299 ? 0.2 : 0.6, opposed[i] = 1 - i / 400.0;
     }
-    tr_strength s = tr_summary_strength(&(tr_series){401, strain, sin_phi, void_ratio});
+    tr_strength s = tr_summary_strength(&(tr_series){401, strain, sin_phi, void_ratio, rolling, opposed});
     /* the best window holds the spike: (9 * 0.5 + 0.9)/10; rounding of a running sum of 400 terms */
     assert_close(s.sin_phi_peak, 0.54, 0, 1e-12);
     /* the first such window is rows 91..100, its middle at row 95.5 */
@@ -22,6 +24,8 @@ static void test_strength(void **state) {
     /* rows 300..400, or 301..400 if 0.75 * 0.2 rounds up */
     assert_close(s.sin_phi_residual, 0.3, 0, 1e-12);
     assert_close(s.e_residual, 0.175, 0, 0.00026);
+    assert_close(s.rolling_share, 0.6, 0, 1e-12);
+    assert_close(s.opposed_fraction, 0.125, 0, 0.0013);
 }
 
 /* Disks 0-1 slide, 1-2 stick, wall-0 touches: ends of contacts on disks 2 + 2 + 1 = 5, of 3 disks. */
@@ -29,17 +33,20 @@ static void test_counts(void **state) {
     (void)state;
     double force[12] = {3, 4, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     tr_world world = {.disks = {.n = 3, .force = force}};
-    const tr_record records[] = {
+    tr_record records[] = {
         {.a = 0, .b = 1, .R1 = 1, .R2 = 2, .delta = 0.1, .f_n = 3, .f_t = -4, .v_s = -3, .v_r = 1, .mobilisation = 1},
         {.a = 1, .b = 2, .R1 = 2, .R2 = 2, .delta = 0.1, .f_n = 5, .v_s = 0, .v_r = -2, .mobilisation = 0.5},
         {.a = -1, .b = 0, .R2 = 1, .delta = 0.2, .f_n = 10, .v_s = 7, .v_r = 7, .mobilisation = 1},
     };
+    records[0].s1 = 1, records[0].s2 = -2, records[1].s1 = records[1].s2 = -2;
+    records[2].s1 = 1, records[2].s2 = -1;
     tr_measures m = tr_measures_of(&world, records, 3);
     assert_int_equal(m.n_contacts, 3);
     assert_int_equal(m.n_disk_contacts, 2);
     assert_close(m.coordination, 5.0 / 3, 1e-15, 0);
     assert_close(m.sliding_fraction, 0.5, 0, 0);
     assert_close(m.rolling_share, 3.0 / 6, 1e-15, 0); /* walls do not count */
+    assert_close(m.opposed_fraction, 0.5, 0, 0);
     assert_close(m.mobilisation, 0.75, 1e-15, 0);
     assert_close(m.mean_f_n, 6, 1e-15, 0);
     assert_close(m.unbalanced, (5.0 / 3) / (20.0 / 3), 1e-15, 0);

@@ -512,7 +512,7 @@ static void contact_messages(void **state) {
         {ROLL "E_star: 3 GPa\n", "a.yaml:5:1: error: `E_star` follows from other keys, bodies.E/(2*(1 - "
                                  "bodies.nu^2)), and cannot be given\n"},
         {ROLL "seed: 3\n",
-         "a.yaml:5:1: error: `seed` is not for `kind: contact`; allowed here: kind, lesson, bodies, laws, "
+         "a.yaml:5:1: error: `seed` is not for `kind: contact`; allowed here: kind, lesson, output, bodies, laws, "
          "path\n"},
         {ROLL "contact: {mu: 1}\n", "a.yaml:5:1: error: `contact` is not for `kind: contact`; allowed here: "},
         {PAIR "laws: [{friction: coulomb-spring}]\npath: [{force: 1}]\n",

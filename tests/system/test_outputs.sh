@@ -41,6 +41,9 @@ check 'without frames there is no directory for them' not test -e plain/frames
 check 'with two frames it runs' run_gives 0 small.yaml -o framed --frames 2
 check 'and writes these files' writes biaxial 2 framed
 check 'frames change no number' cmp plain/history.csv framed/history.csv
+check 'without curves it runs' run_gives 0 small.yaml -o bare-biaxial --frames 2 --set output.curves=no
+check 'and draws none' equals "$(listing bare-biaxial)" "$(listing framed | grep -v '^biaxial.[sp]\|gp$')"
+check 'its numbers are the same' cmp plain/history.csv bare-biaxial/history.csv
 check 'bodies run' run_gives 0 bodies.yaml -o bodies --frames 3
 check 'and write these files' writes bodies 3 bodies
 check "one frame" run_gives 0 bodies.yaml -o one --frames 1
@@ -57,13 +60,15 @@ contact_files() {
 }
 check 'a contact runs' run_gives 0 "$cases/contact-reversal.yaml" -o contact
 check 'it writes these files' equals "$(listing contact)" "$(contact_files)"
+check 'curves only where they are wanted' run_gives 0 "$cases/contact-reversal.yaml" -o bare --set output.curves=no
+check 'it writes these files' equals "$(listing bare)" "$(contact_files | grep -v 'png$\|svg$\|gp$')"
 check 'the header of contact.csv' equals "$(head -n 1 contact/contact.csv)" \
     'law,step,segment,u_slide_m,u_roll_m,P_N_per_m,Q_N_per_m,q,a_m,moment_1_N,moment_2_N,f_r_N_per_m,overlap_m'
 check 'a row for each law and step' equals "$(($(wc -l <contact/contact.csv) - 1))" 3200
 within() { awk -F, 'NR > 1 && !($8 >= 0 && $8 <= 1 + 1e-15) { print; bad = 1 } END { exit bad }' contact/contact.csv; }
 check 'friction within its bound' within
 check 'it has no frames' run_gives 2 "$cases/contact-reversal.yaml" -o no --frames 2
-check 'and says so' says stderr '`output` is not for `kind: contact`; allowed here: kind, lesson, bodies, laws, path'
+check 'and says so' says stderr '`output.frames` is not for `kind: contact`; allowed here: curves'
 check 'a law that depends on the rate is not guessed at' run_gives 2 "$cases/contact-reversal.yaml" -o no --check \
     --set laws.0.rolling=star-displacement-damping --set laws.0.damping=yes --set bodies.density=2700
 check 'it asks for the time' says stderr '`path.0.time` is missing: rolling law star-displacement-damping of `laws.0` depends on the rate'
@@ -89,6 +94,8 @@ patch_files() {
     echo summary.json
 }
 check 'it writes these files' equals "$(listing patch)" "$(patch_files)"
+check 'without curves it runs' run_gives 0 patch.yaml -o bare-patch --set output.curves=no
+check 'and draws none' equals "$(listing bare-patch)" "$(patch_files | grep -v '^contact.[sp]\|gp$')"
 check 'its contact.csv is that of laws' equals "$(head -n 1 patch/contact.csv)" "$(head -n 1 contact/contact.csv)"
 check 'a row for each step' equals "$(($(wc -l <patch/contact.csv) - 1))" 20
 check 'the header of patch.csv' equals "$(head -n 1 patch/patch.csv)" 'snapshot,step,x_m,p_Pa,tau_Pa,slip_m,stick'
@@ -104,7 +111,7 @@ begins() {
     head -n 1 "$1" | grep -q "^$2" || { head -n 1 "$1"; false; }
 }
 check 'header of history.csv' begins plain/history.csv \
-    'strain,stress_1_Pa,stress_2_Pa,sin_phi,void_ratio,n_contacts,coordination,sliding_fraction,rolling_share,'
+    'strain,stress_1_Pa,stress_2_Pa,sin_phi,void_ratio,n_contacts,coordination,sliding_fraction,rolling_share,opposed_fraction,'
 check 'header of contacts.csv' begins plain/contacts.csv 'time_s,strain,a,b,x_m,y_m,'
 for column in f_n_N_per_m f_t_N_per_m moment_a_N v_s_m_per_s v_r_m_per_s mobilisation; do
     check "contacts.csv has $column" sh -c "head -n 1 plain/contacts.csv | tr , '\n' | grep -qx $column"
@@ -130,7 +137,7 @@ check 'no contacts asked, no table' run_gives 0 small.yaml -o none --set output.
 check 'it is not there' not test -e none/contacts.csv
 
 # ---- summary.json ----
-keys='version seed n_disks e0 e_residual sin_phi_peak sin_phi_residual inertial_number stiffness_ratio dt_s steps
+keys='version seed n_disks e0 e_residual sin_phi_peak sin_phi_residual rolling_share_residual opposed_fraction_residual inertial_number stiffness_ratio dt_s steps
 contact_updates energy_residual_over_work passes left_out timing'
 for key in $keys; do check "summary.json has $key" grep -q "\"$key\":" plain/summary.json; done
 check 'timing has wall_s' says plain/summary.json '"wall_s":'
