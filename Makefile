@@ -24,7 +24,7 @@ LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o)
 CLI_OBJ  := $(CLI_SRC:%=$(BUILD)/%.o)
 TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all biaxial figures features demos gallery verify test test-slurm install asan lint format clean help packages-% build-all run-demos run-tests
+.PHONY: all biaxial figures bands features demos gallery verify test test-slurm install asan lint format clean help packages-% build-all run-demos run-tests
 .SECONDARY:
 
 all: packages-build
@@ -44,6 +44,11 @@ figures: packages-build
 features: packages-build
 	@$(MAKE) --no-print-directory build-all
 	@$(MAKE) --no-print-directory --what-if figures/features.gp out/figures/features.png
+
+# Not among the figures: minutes.
+bands: packages-build
+	@$(MAKE) --no-print-directory build-all
+	@$(MAKE) --no-print-directory out/figures/shear-bands.png
 
 # What fails does not keep the others away, and is tried again the next time.
 demos: packages-build
@@ -98,6 +103,7 @@ help:
 	@echo 'make test      install what is missing, build, run all tests; last line: N passed, N failed'
 	@echo 'make figures   build, and draw figures/*.gp with their data into out/figures/ (needs gnuplot)'
 	@echo 'make features  build, measure what each feature and each law costs, and draw it: out/figures/features.png'
+	@echo 'make bands     build, shear 10,000 disks without and with rolling resistance, and draw where they turn; minutes'
 	@echo 'make demos     build, and run all cases but the biaxial tests into out/demos/, those that have changed'
 	@echo 'make gallery   make demos, and one page of them to show in a lecture: out/gallery/index.html'
 	@echo 'make verify    build, compare with answers from elsewhere, and draw error against run time: out/verify/; minutes'
@@ -154,9 +160,15 @@ out/figures/features.png: figures/features.gp $(TRUNDLE)
 	./$(TRUNDLE) bench --features -o $(@:.png=.csv)
 	$(draw)
 
+out/bands/mu_r-%/summary.json: cases/shear-bands.yaml $(TRUNDLE)
+	./$(TRUNDLE) run $< -o $(@D) --force --set contact.mu_r=$*
+out/figures/shear-bands.png: $(wildcard figures/bands/*) out/bands/mu_r-0/summary.json out/bands/mu_r-0.5/summary.json
+	@mkdir -p $(@D)
+	figures/bands/shear-bands.sh out/bands $@
+
 # A demonstration is a case; its mark, NAME.done, says that it ran without an error. DEMO_FLAGS: for trundle run.
 OUT   := out
-DEMOS := $(filter-out biaxial% sweep%,$(patsubst cases/%.yaml,%,$(wildcard cases/*.yaml)))
+DEMOS := $(filter-out biaxial% sweep% shear-bands,$(patsubst cases/%.yaml,%,$(wildcard cases/*.yaml)))
 run-demos: $(DEMOS:%=$(OUT)/demos/%.done)
 $(OUT)/demos/%.done: cases/%.yaml $(TRUNDLE)
 	$(abspath $(TRUNDLE)) run $< -o $(@:.done=) --force $(DEMO_FLAGS)

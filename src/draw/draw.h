@@ -26,8 +26,9 @@ typedef struct tr_view {
     const tr_world *world;
     const tr_record *record; /* touching contacts */
     int n_records;
-    tr_color color;        /* field that colours the contacts */
-    double range;          /* end of the colour bar [1 or m/s]; 0: chosen from this frame */
+    tr_color color;        /* field that colours the contacts, or, with `fill`, the disks */
+    const double *fill;    /* of each disk [1, m/s or rad]: then contacts are not drawn; NULL: they are */
+    double range;          /* end of the colour bar, of TR_COLOR_SPIN both ends; 0: chosen from this frame */
     double f_mean;         /* normal force drawn as a line of mean width [N/m]; 0: this frame's mean */
     double x0, y0, x1, y1; /* part of the plane that is shown, x0 < x1, y0 < y1 [m] */
     double time, time_end; /* [s]; the unit in print is chosen by time_end, so that it stays */
@@ -139,6 +140,13 @@ void tr_draw_patch(tr_canvas *canvas, const tr_patch_view *view);
 /* A round end for the colour bar: smallest 1, 2 or 5 times a power of ten that covers 95 % of the contacts; 1 for
  * mobilisation, and where all is at rest. [1 or m/s] */
 double tr_frame_range(const tr_record *record, int n, tr_color color);
+
+/* The field in a contact: mobilisation, |v_s| or |v_r|. */
+double tr_frame_field(const tr_record *record, tr_color color);
+
+/* The field of each disk: its mean over the n touching contacts of the disk, 0 without one; TR_COLOR_SPIN: angle turned
+ * since the world was made [rad]. ends: how many contacts each disk has. */
+void tr_frame_fill(const tr_world *world, const tr_record *record, int n, tr_color color, double *fill, int *ends);
 
 /* The same for bodies: covers every speed of centres, rims, and contacts in this state. [m/s] */
 double tr_frame_range_bodies(const tr_world *world, const tr_record *record, int n);

@@ -25,20 +25,31 @@ double tr_frame_round_up(double x) {
     return round_number(k);
 }
 
-static double speed_of(const tr_record *r, tr_color color) {
-    return fabs(color == TR_COLOR_SLIDING ? r->v_s : r->v_r);
+double tr_frame_field(const tr_record *r, tr_color color) {
+    return color == TR_COLOR_MOBILISATION ? r->mobilisation : fabs(color == TR_COLOR_SLIDING ? r->v_s : r->v_r);
+}
+
+void tr_frame_fill(const tr_world *world, const tr_record *record, int n, tr_color color, double *fill, int *ends) {
+    int disks = world->disks.n;
+    for (int i = 0; i < disks; i++) fill[i] = 0, ends[i] = 0;
+    for (int c = 0; c < n; c++) {
+        int end[] = {record[c].a, record[c].b};
+        for (int k = end[0] < 0; k < 2; k++) fill[end[k]] += tr_frame_field(&record[c], color), ends[end[k]]++;
+    }
+    for (int i = 0; i < disks; i++)
+        fill[i] = color == TR_COLOR_SPIN ? world->disks.pos[4 * i + 2] : fill[i] / (ends[i] ? ends[i] : 1);
 }
 
 double tr_frame_range(const tr_record *record, int n, tr_color color) {
-    if (color == TR_COLOR_MOBILISATION) return 1;
+    if (color == TR_COLOR_MOBILISATION || color == TR_COLOR_SPIN) return 1;
     double max = 0;
     for (int i = 0; i < n; i++)
-        if (isfinite(speed_of(&record[i], color))) max = fmax(max, speed_of(&record[i], color));
+        if (isfinite(tr_frame_field(&record[i], color))) max = fmax(max, tr_frame_field(&record[i], color));
     if (!(max > 1e-100)) return 1;
     for (double range = tr_frame_round_up(max);;) { /* ends: below the smallest speed nothing is covered */
         double next = tr_frame_round_down(0.9 * range);
         int above = 0;
-        for (int i = 0; i < n; i++) above += speed_of(&record[i], color) > next;
+        for (int i = 0; i < n; i++) above += tr_frame_field(&record[i], color) > next;
         if (above > 0.05 * n || next < 1e-6 * max) return range;
         range = next;
     }
@@ -113,24 +124,24 @@ double tr_frame_head(cairo_t *cr, const tr_head *head) {
     return y + 24;
 }
 
-void tr_frame_color_bar(cairo_t *cr, const char *name, double range, const tr_unit *unit, double y) {
+void tr_frame_color_bar(cairo_t *cr, const char *name, double range, const tr_unit *unit, bool diverging, double y) {
     tr_unit shown = *unit;
-    double middle = range / 2 / unit->size;
+    double low = diverging ? -range : 0, middle = range / 2 / unit->size;
     char label[96], number[32];
     snprintf(label, sizeof label, "%s%s%s%s", name, *unit->name ? "  [" : "", unit->name, *unit->name ? "]" : "");
     tr_pen_text(cr, (tr_text){.x = TR_PANEL_X, .y = y, .size = 24, .room = TR_PANEL_W}, label);
     cairo_pattern_t *ramp = cairo_pattern_create_linear(TR_PANEL_X, 0, TR_PANEL_X + TR_PANEL_W, 0);
     for (int i = 0; i <= 40; i++) {
-        tr_rgb c = tr_palette_sequential(i / 40.0);
+        tr_rgb c = diverging ? tr_palette_diverging(i / 20.0 - 1) : tr_palette_sequential(i / 40.0);
         cairo_pattern_add_color_stop_rgb(ramp, i / 40.0, c.r, c.g, c.b);
     }
     cairo_rectangle(cr, TR_PANEL_X, y + 16, TR_PANEL_W, 28);
     cairo_set_source(cr, ramp);
     cairo_fill(cr);
     cairo_pattern_destroy(ramp);
-    shown.decimals = fabs(middle - nearbyint(middle)) > 1e-3; /* the range is a round number */
+    shown.decimals = !diverging && fabs(middle - nearbyint(middle)) > 1e-3; /* the range is a round number */
     for (int i = 0; i <= 2; i++) {
-        tr_frame_number(number, sizeof number, i * range / 2, &shown, false);
+        tr_frame_number(number, sizeof number, low + i * (range - low) / 2, &shown, diverging);
         tr_pen_text(cr,
                     (tr_text){.x = TR_PANEL_X + i * TR_PANEL_W / 2.0, .y = y + 70, .size = 24, .align = (tr_align)i},
                     number);

@@ -51,8 +51,8 @@ typedef struct tr_head {
 /* White ground, title, side panel. Returns its first free line [px]. */
 double tr_frame_head(cairo_t *cr, const tr_head *head);
 
-/* The sequential palette from 0 to range, in the panel; y: base line of its label [px]. */
-void tr_frame_color_bar(cairo_t *cr, const char *name, double range, const tr_unit *unit, double y);
+/* The sequential palette from 0 to range, or the diverging one from -range, in the panel; y: base line of its label [px]. */
+void tr_frame_color_bar(cairo_t *cr, const char *name, double range, const tr_unit *unit, bool diverging, double y);
 
 /* The time, with one digit more than its end needs. */
 void tr_frame_time(char *text, size_t size, double time, double time_end);

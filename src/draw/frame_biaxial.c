@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* A biaxial test: packing, force network over it, walls with what drives them.
  *
+ * Where disks are too small for lines over them, and to see how far each has spun, the disks themselves are coloured.
+ *
  * Cost is in strokes, so all disks are filled as one path (rims first, then the slightly smaller bodies: two fills cost
  * less than one stroke), and contact lines are quadrilaterals, one path for each of a few dozen colours. */
 #include "draw/frame.h"
@@ -9,7 +11,7 @@
 #include <math.h>
 #include <stdio.h>
 
-enum { N_COLORS = 32 };
+enum { N_COLORS = 33 }; /* odd: zero has a colour of its own in the diverging palette */
 
 static tr_point disk_point(const tr_view *view, const tr_map *map, int i, double *radius) {
     const double *p = view->world->disks.pos + 4 * i;
@@ -39,14 +41,27 @@ static void draw_disks(cairo_t *cr, const tr_view *view, const tr_map *map) {
     cairo_stroke(cr);
 }
 
+/* Disks in the colour of a field, without rims, which would cover what is a few pixels large. */
+static void draw_field(cairo_t *cr, const tr_view *view, const tr_map *map, double range) {
+    bool diverging = view->color == TR_COLOR_SPIN;
+    double low = diverging ? -range : 0, r;
+    for (int c = 0; c < N_COLORS; c++) {
+        for (int i = 0; i < view->world->disks.n; i++) {
+            double u = (view->fill[i] - low) / (range - low);
+            int color = u > 0 ? (u < 1 ? (int)(u * N_COLORS) : N_COLORS - 1) : 0;
+            tr_point p = disk_point(view, map, i, &r);
+            if (color == c && tr_frame_seen(p, r)) tr_pen_add_disk(cr, p, r);
+        }
+        double u = (c + 0.5) / N_COLORS;
+        tr_pen_rgb(cr, diverging ? tr_palette_diverging(2 * u - 1) : tr_palette_sequential(u));
+        cairo_fill(cr);
+    }
+}
+
 static double mean_force(const tr_view *view) {
     double sum = 0;
     for (int i = 0; i < view->n_records; i++) sum += view->record[i].f_n;
     return view->n_records ? sum / view->n_records : 0;
-}
-
-static double field_of(const tr_record *r, tr_color color) {
-    return color == TR_COLOR_MOBILISATION ? r->mobilisation : fabs(color == TR_COLOR_SLIDING ? r->v_s : r->v_r);
 }
 
 /* From centre to centre; at a wall from the contact point to the centre. */
@@ -69,7 +84,7 @@ static void draw_contacts(cairo_t *cr, const tr_view *view, const tr_map *map, d
     for (int c = 0; c < N_COLORS; c++) {
         for (int i = 0; i < view->n_records; i++) {
             const tr_record *r = &view->record[i];
-            double u = field_of(r, view->color) / range;
+            double u = tr_frame_field(r, view->color) / range;
             int color = u > 0 ? (u < 1 ? (int)(u * N_COLORS) : N_COLORS - 1) : 0;
             tr_point p, q;
             if (color != c || !(r->f_n > 0) || !branch(view, map, r, &p, &q)) continue;
@@ -122,10 +137,16 @@ static void draw_walls(cairo_t *cr, const tr_view *view, const tr_map *map) {
 
 static void draw_color_bar(cairo_t *cr, const tr_view *view, double range, double y) {
     static const char *const name[] = {"friction used  |f_t| / (μ f_n)", "sliding velocity  |V_s|",
-                                       "rolling velocity  |V_r|"};
+                                       "rolling velocity  |V_r|", "rotation since the start"};
     tr_unit unit = {.size = 1};
-    if (view->color != TR_COLOR_MOBILISATION) unit = tr_frame_unit(range, "m/s");
-    tr_frame_color_bar(cr, name[view->color], range, &unit, y);
+    char label[64];
+    bool spin = view->color == TR_COLOR_SPIN;
+    if (spin)
+        unit = (tr_unit){.size = M_PI / 180, .name = "°"};
+    else if (view->color != TR_COLOR_MOBILISATION)
+        unit = tr_frame_unit(range, "m/s");
+    snprintf(label, sizeof label, "%s%s", view->fill && !spin ? "mean " : "", name[view->color]);
+    tr_frame_color_bar(cr, label, range, &unit, spin, y);
 }
 
 static void draw_width_key(cairo_t *cr, tr_shape shape, double mean, double width, double y) {
@@ -168,8 +189,11 @@ void tr_draw_biaxial(tr_canvas *canvas, const tr_view *view) {
     y = TR_FRAME_HEIGHT - TR_EDGE - 72;
     draw_color_bar(cr, view, range, y);
     if (map.scale == 0) return;
-    draw_disks(cr, view, &map);
-    bool forces = mean > 0 && isfinite(mean);
+    if (view->fill)
+        draw_field(cr, view, &map, range);
+    else
+        draw_disks(cr, view, &map);
+    bool forces = !view->fill && mean > 0 && isfinite(mean);
     if (forces) draw_contacts(cr, view, &map, range, mean);
     draw_walls(cr, view, &map);
     if (view->inset) draw_inset(cr, view, &map, panel, y - 88);

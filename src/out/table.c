@@ -112,3 +112,11 @@ void tr_row_disk(tr_row *row, double time, const tr_world *world, int i) {
     tr_row_add(row, velocity[1], "vy_m_per_s");
     tr_row_add(row, velocity[2], "spin_rad_per_s");
 }
+
+void tr_row_sample(tr_row *row, double time, double strain, const tr_world *world, int i, double v_r, int ends) {
+    tr_row_disk(row, time, world, i);
+    tr_row_add(row, strain, "strain");
+    tr_row_add(row, world->disks.pos[4 * (size_t)i + 3], "radius_m");
+    tr_row_add(row, v_r, "mean_v_r_m_per_s");
+    tr_row_add(row, ends, "contacts");
+}

@@ -40,6 +40,9 @@ void tr_row_biaxial(tr_row *row, const tr_biaxial_state *state, const tr_measure
 /* The cells of a row of contacts.csv: every touching contact is one. strain < 0: there is none (bodies). */
 void tr_row_contact(tr_row *row, double time, double strain, const tr_record *record);
 
+/* One row of disks.csv of a biaxial test. v_r: mean |V_r| over its touching contacts [m/s], of which there are `ends`. */
+void tr_row_sample(tr_row *row, double time, double strain, const tr_world *world, int i, double v_r, int ends);
+
 /* The cells of a row of history.csv of bodies: one disk. */
 void tr_row_disk(tr_row *row, double time, const tr_world *world, int disk);
 

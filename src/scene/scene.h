@@ -13,7 +13,7 @@
 /* In the order of the choices of `kind:`. */
 typedef enum tr_kind { TR_KIND_BIAXIAL, TR_KIND_BODIES, TR_KIND_CONTACT, TR_KIND_PATCH } tr_kind;
 
-typedef enum tr_color { TR_COLOR_MOBILISATION, TR_COLOR_SLIDING, TR_COLOR_ROLLING } tr_color;
+typedef enum tr_color { TR_COLOR_MOBILISATION, TR_COLOR_SLIDING, TR_COLOR_ROLLING, TR_COLOR_SPIN } tr_color;
 
 enum { TR_MAX_LAWS = 32 }; /* items of `laws:` */
 enum { TR_LAW_PAR = 16 };  /* room for one law's parameter struct, in doubles */
@@ -76,7 +76,7 @@ typedef struct tr_scene_output {
     int frames;           /* pictures over the run, equally spaced, the last at the end; 0: none */
     int rows;             /* rows of history.csv */
     int contacts;         /* instants at which contacts.csv lists the contacts */
-    int color;            /* tr_color: field that colours the contacts in frames */
+    int color;            /* tr_color: field that colours frames */
     bool energy;          /* keep the energy ledger */
     bool curves;          /* draw history.csv or contact.csv with gnuplot; not bodies */
     tr_scene_picks paths; /* contacts whose path is written to paths/NAME.csv */

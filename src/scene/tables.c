@@ -163,8 +163,9 @@ static const tr_param output_bodies[] = {
     {"still", TR_REAL, TR_DIM_TIME, "s", "time_end", 0, 1e6, NULL, AT(still), "time of still.png"},
 };
 static const tr_param output_biaxial[] = {
-    {"color", TR_CHOICE, TR_DIM_NUMBER, "", "mobilisation", 0, 0, "mobilisation|sliding|rolling", AT(color),
-     "what colours the contacts: |f_t|/(mu f_n), sliding or rolling velocity"},
+    {"color", TR_CHOICE, TR_DIM_NUMBER, "", "mobilisation", 0, 0, "mobilisation|sliding|rolling|spin", AT(color),
+     "what colours the contacts: |f_t|/(mu f_n), sliding or rolling velocity; or the disks: how far each has spun so "
+     "far"},
     {"energy", TR_SWITCH, TR_DIM_NUMBER, "", "yes", 0, 0, NULL, AT(energy), "keep the energy ledger"},
 };
 static const tr_param output_curves[] = {

@@ -20,6 +20,9 @@ typedef struct test {
     tr_run_report *report;
     tr_outputs out;
     tr_series series;
+    tr_file disks;
+    double *fill;   /* of each disk: what colours it in frames, or a column of disks.csv */
+    int *ends;      /* and how many contacts it has */
     tr_inset inset; /* of the frames: the inside of the first contact whose path is recorded */
     tr_view view;   /* what stays the same in every frame */
     char title[TR_RUN_TITLE];
@@ -60,6 +63,7 @@ static void keep_rest(test *t, tr_checkpoint *c) {
     TR_KEEP(c, t->series.void_ratio, t->series.n);
     TR_KEEP(c, t->series.rolling_share, t->series.n);
     TR_KEEP(c, t->series.opposed_fraction, t->series.n);
+    tr_file_checkpoint(&t->disks, c);
     tr_inset_checkpoint(&t->inset, c);
     tr_outputs_checkpoint(&t->out, c);
 }
@@ -133,6 +137,8 @@ tr_view tr_run_biaxial_view(const tr_biaxial *b, char title[TR_RUN_TITLE]) {
     double arrows = 0.08 * width;                                         /* room for those of the driven walls */
     double d = sample->r_min + sample->r_max, speed = 4 * b->rate * d;
     tr_record typical = {.v_s = speed, .v_r = speed};
+    /* Rigid blocks would turn by about the strain, disks on either side of a slip line by a multiple of it. */
+    double turn = fmax(1, round(18 * b->scene->shear.strain_end)) * 10 * M_PI / 180;
     const tr_slot *slot = b->world.group[0].slot;
     snprintf(title, TR_RUN_TITLE, "Biaxial test   μ = %g, μ_r = %g", law_value(&slot[TR_FRICTION], "mu"),
              law_value(&slot[TR_ROLLING], "mu_r"));
@@ -140,7 +146,7 @@ tr_view tr_run_biaxial_view(const tr_biaxial *b, char title[TR_RUN_TITLE]) {
         .world = &b->world,
         .color = color,
         .title = title,
-        .range = tr_frame_range(&typical, 1, color),
+        .range = color == TR_COLOR_SPIN ? turn : tr_frame_range(&typical, 1, color),
         .f_mean = 1.5 * b->scene->shear.lateral_pressure * d,
         .x0 = centre - spread,
         .x1 = centre + spread,
@@ -161,6 +167,7 @@ static bool frame(test *t, int n_records, const tr_measures *m, tr_status *st) {
     snprintf(text[4], sizeof text[4], "%.0f %%", 100 * m->sliding_fraction);
     tr_view view = t->view;
     view.record = t->out.records, view.n_records = n_records;
+    if (view.fill) tr_frame_fill(&t->b.world, t->out.records, n_records, view.color, t->fill, t->ends);
     view.time = t->state.time;
     if (t->inset.solver) {
         view.inset = tr_half_plane_state(t->inset.solver), view.inset_pair = &t->inset.pair;
@@ -185,8 +192,14 @@ static bool row(test *t, const tr_measures *m, tr_status *st) {
     return tr_outputs_row(&t->out, &cells, st);
 }
 
-static bool write_contacts(test *t, int n, tr_status *st) {
+static bool write_lists(test *t, int n, tr_status *st) {
     t->out.instants++;
+    tr_frame_fill(&t->b.world, t->out.records, n, TR_COLOR_ROLLING, t->fill, t->ends);
+    for (int i = 0; i < t->b.world.disks.n; i++) {
+        tr_row row = {.shape = t->scene->shape};
+        tr_row_sample(&row, t->state.time, t->state.strain, &t->b.world, i, t->fill[i], t->ends[i]);
+        if (!tr_row_write(&row, &t->disks, st)) return false;
+    }
     return tr_outputs_contacts(&t->out, -1, t->state.time, t->state.strain, t->out.records, n, st);
 }
 
@@ -200,7 +213,7 @@ static bool look(test *t, unsigned due, tr_status *st) {
     else
         tr_biaxial_shape(&t->b, &t->state);
     if (due & TR_DUE_ROW && !row(t, &m, st)) return false;
-    if (due & TR_DUE_CONTACTS && !write_contacts(t, n, st)) return false;
+    if (due & TR_DUE_CONTACTS && !write_lists(t, n, st)) return false;
     if (due & TR_DUE_FRAME && !frame(t, n, &m, st)) return false;
     t->out.seconds += tr_run_clock() - start;
     return true;
@@ -254,10 +267,14 @@ static bool prepare(test *t, tr_status *st) {
     tr_biaxial_shape(&t->b, &now);
     t->e0 = now.void_ratio;
     t->view = tr_run_biaxial_view(&t->b, t->title);
+    bool small = t->scene->sample.disks > 2000; /* disks of 12 pixels and less: no room for lines */
+    if (small || t->view.color == TR_COLOR_SPIN) t->view.fill = t->fill;
     t->b.world.contact_updates = 0;
-    bool ok =
-        tr_outputs_open(&t->out, t->scene, t->options, "biaxial.mp4", t->b.shear_steps, compacted, report, st) &&
-        tr_recorder_open(&t->out.recorder, t->scene, t->most, &t->b.world, t->options->dir, "", compacted, report, st);
+    bool ok = tr_outputs_open(&t->out, t->scene, t->options, "biaxial.mp4", t->b.shear_steps, compacted, report, st) &&
+              tr_recorder_open(&t->out.recorder, t->scene, t->most, &t->b.world, t->options->dir, "", compacted, report,
+                               st) &&
+              (!t->scene->output.contacts ||
+               (compacted ? tr_file_reopen : tr_file_open)(&t->disks, t->options->dir, "disks.csv", st));
     if (ok) open_inset(t);
     return ok && resume(t);
 }
@@ -270,6 +287,14 @@ static bool rehearse(test *t, tr_status *st) {
     tr_biaxial_free(&t->b);
     t->rehearsal = t->shearing = false;
     return ok && !st->code;
+}
+
+static bool close_outputs(test *t, tr_status *st) {
+    if (t->out.instants && t->disks.stream)
+        tr_file_commit(&t->disks, st);
+    else
+        tr_file_discard(&t->disks);
+    return tr_outputs_close(&t->out, st);
 }
 
 static void report(test *t, const tr_strength *s, const tr_timing *timing) {
@@ -327,7 +352,7 @@ bool tr_run_check_biaxial(const tr_scene *scene, tr_status *st) {
 }
 
 bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st) {
-    size_t rows = (size_t)scene->output.rows;
+    size_t rows = (size_t)scene->output.rows, disks = (size_t)scene->sample.disks;
     test *t = tr_alloc(1, sizeof *t, st);
     if (!t) return false;
     t->scene = scene, t->options = options, t->report = report;
@@ -337,6 +362,7 @@ bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run
               (t->series.void_ratio = tr_alloc(rows, sizeof(double), st)) &&
               (t->series.rolling_share = tr_alloc(rows, sizeof(double), st)) &&
               (t->series.opposed_fraction = tr_alloc(rows, sizeof(double), st)) &&
+              (t->fill = tr_alloc(disks, sizeof(double), st)) && (t->ends = tr_alloc(disks, sizeof(int), st)) &&
               tr_run_open(scene, options, &t->resume, report, st);
     if (ok && t->resume.loading) keep_stage(t, &t->resume);
     bool rehearsed = t->resume.loading && !t->rehearsal;
@@ -350,13 +376,14 @@ bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run
         double stepping = tr_run_clock() - shear_started - t->out.seconds;
         double updates = (double)(t->b.world.contact_updates - before);
         bool opened = t->out.scene != NULL;
-        ok = (opened ? tr_outputs_close(&t->out, st) : prepared) && summarise(t, started, updates / stepping, st);
+        ok = (opened ? close_outputs(t, st) : prepared) && summarise(t, started, updates / stepping, st);
         if (ok) tr_checkpoint_remove(options->dir);
     }
     tr_biaxial_free(&t->b);
     tr_inset_close(&t->inset);
     free(t->resume.bytes);
     free(t->series.strain), free(t->series.sin_phi), free(t->series.void_ratio);
-    free(t->series.rolling_share), free(t->series.opposed_fraction), free(t);
+    free(t->series.rolling_share), free(t->series.opposed_fraction);
+    free(t->fill), free(t->ends), free(t);
     return ok;
 }

@@ -92,7 +92,6 @@ static bool close_table(drive *d, const tr_run_options *options, tr_status *st) 
 }
 
 static bool plot(const drive *d, const tr_run_options *options, tr_run_report *report, tr_status *st) {
-    
     if (!d->scene->output.curves) return true;
     if (!tr_plot_available())
         return tr_run_note(report, "no curves: gnuplot is not installed; contact.csv has the numbers"), true;

@@ -169,6 +169,48 @@ static void test_biaxial_pixels(void **state) {
     free(h);
 }
 
+static bool near(unsigned hue, tr_rgb c) { /* to half a step of 33, in which a channel changes by 0.035 */
+    tr_rgb h = tr_palette_hue(hue);
+    return fabs(h.r - c.r) < 0.04 && fabs(h.g - c.g) < 0.04 && fabs(h.b - c.b) < 0.04;
+}
+
+/* Four disks in a row over the width of the view, in the colour of their rotation or of the mean field of their contacts,
+ * by hand; lines are not drawn over them. */
+static void test_disks_in_the_colour_of_a_field(void **state) {
+    fixture *f = *state;
+    hand_made *h = hand_start();
+    double fill[4], turned[] = {-2, 0, 0.5, 1};
+    int ends[4];
+    for (int i = 0; i < 4; i++) hand_disk(h, (double[]){2 * i - 3, 0, turned[i], 1}, (double[]){0, 0, 0, 0});
+    h->view.x0 = h->view.y0 = -4, h->view.x1 = h->view.y1 = 4, h->view.fill = fill, h->view.range = 1;
+    h->record[0] = (tr_record){.a = 0, .b = 1, .f_n = 5, .v_r = -0.2, .v_s = 3, .mobilisation = 0.5};
+    h->record[1] = (tr_record){.a = 1, .b = 2, .f_n = 5, .v_r = 1, .v_s = -5, .mobilisation = 1};
+    h->record[2] = (tr_record){.a = -1, .b = 0, .f_n = 5, .v_r = 0.8, .v_s = 4, .mobilisation = 0};
+    h->view.n_records = 3;
+    const double want[][4] = {{0.25, 0.75, 1, 0}, {3.5, 4, 5, 0}, {0.5, 0.6, 1, 0}, {-2, 0, 0.5, 1}};
+    for (tr_color color = TR_COLOR_MOBILISATION; color <= TR_COLOR_SPIN; color++) {
+        h->view.color = color;
+        tr_frame_fill(&h->world, h->record, 3, color, fill, ends);
+        for (int i = 0; i < 4; i++) assert_close(fill[i], want[color][i], 1e-15, 0);
+        tr_draw_biaxial(f->canvas, &h->view);
+        for (int i = 0; i < 4; i++) {
+            unsigned hue = pixel(f->canvas, 420 + (2 * i - 3) * 75, 342); /* a disk is 150 px wide */
+            bool spin = color == TR_COLOR_SPIN;
+            if (!near(hue, spin ? tr_palette_diverging(want[color][i]) : tr_palette_sequential(want[color][i])))
+                fail_msg("color %d, disk %d: %06x", (int)color, i, hue);
+        }
+        assert_int_equal(pixel(f->canvas, 420 + 150, 342 - 100), TR_WHITE); /* no rims, nothing between disks */
+    }
+    assert_int_equal(ends[0], 2);
+    assert_int_equal(ends[1], 2);
+    assert_int_equal(ends[3], 0);
+    /* the bar: blue on the left, light grey in the middle, brown on the right */
+    assert_true(near(pixel(f->canvas, 854, 648), tr_palette_diverging(-1)));
+    assert_true(near(pixel(f->canvas, 1052, 648), tr_palette_diverging(0)));
+    assert_true(near(pixel(f->canvas, 1250, 648), tr_palette_diverging(1)));
+    free(h);
+}
+
 static void test_line_width_follows_force(void **state) {
     fixture *f = *state;
     hand_made *h = hand_start();
@@ -229,7 +271,9 @@ static void test_bad_numbers_are_left_out(void **state) {
             tr_record *r = h->record;
             h->world.n_walls = 4;
             h->world.wall[2].mass = 1;
-            h->view.color = (tr_color)(k % 3);
+            double fill[] = {bad[i], 0};
+            h->view.color = (tr_color)(k % 4);
+            if (h->view.color == TR_COLOR_SPIN) h->view.fill = fill;
             double *target[] = {&h->pos[0],      &h->pos[1],
                                 &h->pos[2],      &h->pos[3],
                                 &h->vel[0],      &h->vel[2],
@@ -474,6 +518,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_png_round_trip, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_same_view_same_bytes, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_biaxial_pixels, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_disks_in_the_colour_of_a_field, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_line_width_follows_force, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_bodies_shows_arcs_bars_and_walls, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_arcs_go_the_right_way, set_up, tear_down),

@@ -74,5 +74,25 @@ check 'path: cattaneo-mindlin is exact until it rolls' closed_forms exact-path 3
 check 'fig. 2: stick as wide as Cattaneo and Carter say' sh -c '
     awk -F, "NR > 1 && \$6 {n[\$1]++} END {exit !(n[\"pushed\"] >= 125 && n[\"pushed\"] <= 128 && n[\"rolling\"] >= 125 && n[\"rolling\"] <= 128)}" "$1"
 ' sh "$work/kuhn-fig2.csv"
+# 2500 disks on a square grid. Rotations normal and independent: Gini sqrt(2) - 1, percentiles 1.645/0.674, no correlation. Rolling
+# large on the right half: ranks are +-1/2 and as much at random, C(r) = 3/4 (1 - 2 p), where a pair of the square lies on either side
+# with p = <|x| (L - |y|)>/<(L - |x|) (L - |y|)>, a mean over its directions, L = 50. Summed over the grid: 0.727, 0.512 and 9.44.
+# Tolerances: three times the scatter of so few disks, of 125 of which the pairs are counted.
+awk 'BEGIN {
+    srand(2); print "time_s,x_m,y_m,angle_rad,radius_m,mean_v_r_m_per_s"
+    for (i = 0; i < 2500; i++) {
+        normal = sqrt(-2*log(1 - rand()))*cos(6.283185307179586*rand())
+        print "1," i%50 "," int(i/50) "," 0.1*normal ",0.5," rand() + (i%50 >= 25)
+    }
+}' >"$work/disks.csv"
+awk -F, -f figures/bands/localisation.awk "$work/disks.csv" >"$work/localisation.csv"
+is_near() { awk -F, -v q="$1" -v want="$2" -v by="$3" '$1 == q {is = $2; n++} END {print is; exit !(n == 1 && (is - want)^2 <= by^2)}' "$work/localisation.csv"; }
+check 'bands: Gini coefficient of normal rotations' is_near gini 0.4142 0.02
+check 'bands: their percentiles' is_near p90_over_p50 2.44 0.2
+check 'bands: the null of no correlation' is_near null 0 0.1
+check 'bands: they have no length' is_near length 0 0.2
+check 'bands: correlation of two halves, near' is_near rolling_correlation_1 0.727 0.06
+check 'bands: and far' is_near rolling_correlation_10 0.512 0.08
+check 'bands: their length' is_near rolling_length 9.44 1.2
 check 'fig. 2: slip at the bound' sh -c 'awk -F, "NR > 1 && !\$6 && (\$3 - \$4)^2 > 1e-18 {print; bad = 1} END {exit bad}" "$1"' sh "$work/kuhn-fig2.csv"
 finish

@@ -22,6 +22,7 @@ expected() {
     echo case.yaml
     [ "$1" = biaxial ] && command -v gnuplot >/dev/null && printf '%s\n' biaxial.svg biaxial.png
     [ "$1" = biaxial ] && command -v gnuplot >/dev/null && echo plot.gp
+    [ "$1" = biaxial ] && echo disks.csv
     [ "$2" -gt 0 ] && command -v ffmpeg >/dev/null && printf '%s\n' "$1.mp4" "$1.gif"
     [ "$1" = bodies ] && [ "$2" -gt 0 ] && echo still.png
     i=0
@@ -116,6 +117,10 @@ check 'header of contacts.csv' begins plain/contacts.csv 'time_s,strain,a,b,x_m,
 for column in f_n_N_per_m f_t_N_per_m moment_a_N v_s_m_per_s v_r_m_per_s mobilisation; do
     check "contacts.csv has $column" sh -c "head -n 1 plain/contacts.csv | tr , '\n' | grep -qx $column"
 done
+check 'header of disks.csv' begins plain/disks.csv 'time_s,disk,x_m,y_m,angle_rad,'
+# Each disk once; the ends of disk-disk contacts are two and of wall-disk contacts one, as contacts.csv lists them.
+ends() { awk -F, 'FNR == 1 {next} FILENAME ~ /disks/ {n++; ends -= $12; next} {ends += $3 < 0 ? 1 : 2} END {exit !(n == 60 && ends == 0)}' "$@"; }
+check 'a row for each disk, with its contacts' ends plain/disks.csv plain/contacts.csv
 check 'rows as asked' equals "$(($(wc -l <plain/history.csv) - 1))" 20
 # Every line as many cells as the header, every cell a finite number.
 is_table() {
@@ -124,7 +129,7 @@ is_table() {
         { for (i = 1; i <= NF; i++) if ($i !~ /^-?[0-9.]+(e[-+][0-9]+)?$/) { print "line " NR ": " $i; bad = 1 } }
         END { exit bad || NR < 2 }' "$1"
 }
-for table in plain/history.csv plain/contacts.csv bodies/history.csv bodies/contacts.csv contact/contact.csv; do
+for table in plain/history.csv plain/contacts.csv plain/disks.csv bodies/history.csv bodies/contacts.csv contact/contact.csv; do
     check "$table holds finite numbers only" is_table "$table"
 done
 ends_at() { # the last strain is the asked one, overshot by less than a step
@@ -133,8 +138,9 @@ ends_at() { # the last strain is the asked one, overshot by less than a step
 check 'the last row is at the end of the test' ends_at plain/history.csv
 check 'three instants of contacts, the last at the end' run_gives 0 small.yaml -o three --set output.contacts=3
 check 'they are three' equals "$(tail -n +2 three/contacts.csv | cut -d, -f1 | sort -u | wc -l)" 3
+check 'disks too' equals "$(tail -n +2 three/disks.csv | cut -d, -f1 | uniq -c | wc -l)" 3
 check 'no contacts asked, no table' run_gives 0 small.yaml -o none --set output.contacts=0
-check 'it is not there' not test -e none/contacts.csv
+check 'it is not there' not test -e none/contacts.csv -o -e none/disks.csv
 
 # ---- summary.json ----
 keys='version seed n_disks e0 e_residual sin_phi_peak sin_phi_residual rolling_share_residual opposed_fraction_residual inertial_number stiffness_ratio dt_s steps
