@@ -19,12 +19,12 @@ typedef struct arguments {
 } arguments;
 
 static const struct argp_option options[] = {
-    {"output", 'o', "DIR", 0, "directory of the points and of collect.csv (default: out/ and the name of the sweep)",
-     0},
+    {"output", 'o', "DIR", 0,
+     "directory of the points, of points.csv and collect.csv (default: out/ and the name of the sweep)", 0},
     {"jobs", 'j', "N", 0, "runs at once (default: the processors that this process may use)", 0},
     {"list", LIST, NULL, 0, "only list the points: number and directory", 0},
     {"index", INDEX, "K", 0, "run point K alone, and collect nothing", 0},
-    {"collect", COLLECT, NULL, 0, "only write collect.csv, from the points that are finished", 0},
+    {"collect", COLLECT, NULL, 0, "only write points.csv and collect.csv, from the points that are finished", 0},
     {"yes", YES, NULL, 0, "more than 10000 points are meant", 0},
     {0},
 };

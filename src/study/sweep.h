@@ -77,7 +77,8 @@ bool tr_grid_scene(const tr_grid *g, int point, tr_scene *scene, tr_status *st);
 
 typedef enum tr_point_state { TR_POINT_MISSING, TR_POINT_BEGUN, TR_POINT_OTHER, TR_POINT_FINISHED } tr_point_state;
 
-/* What the directory of a point holds; BEGUN: this run, not to the end; OTHER: a finished run of another case. Checks the case of a point that is not finished. */
+/* What the directory of a point holds; BEGUN: this run, not to the end; OTHER: a finished run of another case. Reads the case
+ * of the point; of the first seed, if it is not finished, finds what tr_run_check does: another seed changes only the sample. */
 bool tr_grid_state(const tr_grid *g, int point, const char *dir, tr_point_state *state, tr_status *st);
 
 typedef struct tr_grid_options {
@@ -94,14 +95,14 @@ typedef struct tr_grid_report {
     int before, ran, failed; /* points finished before, run now, failed now */
 } tr_grid_report;
 
-/* Runs what is missing, each point as a child process of this same program; packings go to dir/samples, and points that compact the
- * same one share it. All points are checked before the first runs. Points
- * that fail are told by `say`, and counted, and in the end TR_NUMERICAL; they do not stop the others. */
+/* Runs what is missing, each point as a child process of this same program. All are read, and those of the first seed checked,
+ * before the first one runs. Packings go to dir/samples, and points that compact the same one share it. Points that fail are told by
+ * `say`, and counted, and in the end TR_NUMERICAL; they do not stop the others. */
 bool tr_grid_run(const tr_grid *g, const tr_grid_options *options, tr_grid_report *report, tr_status *st);
 
-/* Writes dir/collect.csv from the summaries of all finished points: for each combination and number the mean over the seeds, its
- * standard error and 95 % interval, and in rows of their own, with `minus` telling from what, the same of the differences by seed
- * that `compare` asks for. missing: points not finished. */
+/* Writes, from the summaries of all finished points, dir/points.csv: a row of each with its numbers; and dir/collect.csv: for each
+ * combination and number the mean over the seeds, its standard error and 95 % interval, and in rows of their own, with `minus`
+ * telling from what, the same of the differences by seed that `compare` asks for. missing: points not finished. */
 bool tr_grid_collect(const tr_grid *g, const char *dir, int *missing, tr_status *st);
 
 #endif

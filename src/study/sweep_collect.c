@@ -14,19 +14,19 @@
 #include <string.h>
 
 /* Number k of collect to value[k*points + point]; NaN where the point is not finished. */
-static bool read_point(const tr_grid *g, int point, const char *dir, double *value, int *missing, tr_status *st) {
+static bool read_point(const tr_grid *g, int point, const char *dir, double *value, bool *finished, tr_status *st) {
     char name[TR_POINT_NAME], path[TR_PATH], summary[TR_PATH];
     tr_point_state state;
     tr_grid_name(g, point, name);
     if (!tr_grid_state(g, point, dir, &state, st) || !tr_dir_path(path, dir, name, st) ||
         !tr_dir_path(summary, path, "summary.json", st))
         return false;
-    *missing += state != TR_POINT_FINISHED;
+    finished[point] = state == TR_POINT_FINISHED;
     for (int k = 0; k < g->n_collect; k++) {
         tr_status inner = {0};
         double *x = &value[(size_t)k * (size_t)g->n + (size_t)point];
         *x = NAN;
-        if (state != TR_POINT_FINISHED || tr_summary_read(summary, g->collect[k], x, &inner)) continue;
+        if (!finished[point] || tr_summary_read(summary, g->collect[k], x, &inner)) continue;
         if (inner.code == TR_FILE) return tr_status_fail(st, inner.code, "%s", inner.text);
         return tr_text_fail(st, g->collect_mark[k], "%.200s has no number `%s`", summary,
                             tr_text_show(g->collect[k]).text);
@@ -81,6 +81,22 @@ static void put_row(FILE *out, const tr_grid *g, int combination, int k, const t
     putc('\n', out);
 }
 
+/* A row of each point that is finished. */
+static void put_points(FILE *out, const tr_grid *g, const double *value, const bool *finished) {
+    for (int i = 0; i < g->n_named; i++) put_text(out, g->axis[i].key), putc(',', out);
+    for (int k = 0; k < g->n_collect; k++) put_text(out, g->collect[k]), putc(k + 1 < g->n_collect ? ',' : '\n', out);
+    for (int point = 0; point < g->n; point++) {
+        if (!finished[point]) continue;
+        for (int i = 0; i < g->n_named; i++)
+            put_text(out, g->axis[i].value[tr_grid_value(g, point, i)]), putc(',', out);
+        for (int k = 0; k < g->n_collect; k++) {
+            double x = value[(size_t)k * (size_t)g->n + (size_t)point];
+            if (!isnan(x)) fprintf(out, "%.10g", x);
+            putc(k + 1 < g->n_collect ? ',' : '\n', out);
+        }
+    }
+}
+
 static void put_rows(FILE *out, const tr_grid *g, const double *value, double *x) {
     for (int c = -1; c < g->n_compare; c++) {
         const tr_compare *compare = c < 0 ? NULL : &g->compare[c];
@@ -94,16 +110,23 @@ static void put_rows(FILE *out, const tr_grid *g, const double *value, double *x
 bool tr_grid_collect(const tr_grid *g, const char *dir, int *missing, tr_status *st) {
     double *value = tr_alloc((size_t)g->n * (size_t)g->n_collect, sizeof *value, st);
     double *x = tr_alloc((size_t)g->seeds, sizeof *x, st);
+    bool *finished = tr_alloc((size_t)g->n, sizeof *finished, st);
     tr_file file;
     *missing = 0;
-    bool ok = value && x;
-    for (int point = 0; ok && point < g->n; point++) ok = read_point(g, point, dir, value, missing, st);
-    if (ok && tr_file_open(&file, dir, "collect.csv", st)) {
+    bool ok = value && x && finished;
+    for (int point = 0; ok && point < g->n; point++) {
+        ok = read_point(g, point, dir, value, finished, st);
+        *missing += !finished[point];
+    }
+    if (ok && tr_file_open(&file, dir, "points.csv", st)) {
+        put_points(file.stream, g, value, finished);
+        ok = tr_file_commit(&file, st);
+    }
+    if (ok && !st->code && tr_file_open(&file, dir, "collect.csv", st)) {
         put_header(file.stream, g);
         put_rows(file.stream, g, value, x);
         tr_file_commit(&file, st);
     }
-    free(value);
-    free(x);
+    free(value), free(x), free(finished);
     return !st->code;
 }

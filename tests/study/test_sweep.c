@@ -244,6 +244,21 @@ static void collect(void **state) {
     }
     assert_null(fgets(line, sizeof line, file));
     fclose(file);
+    assert_true(tr_dir_path(path, folder, "points.csv", &st));
+    assert_non_null(file = fopen(path, "r"));
+    static const char *const points[] = {"contact.mu,contact.mu_r,seed,x,deep.1.y\n",
+                                         "0.4,0,1,2,\n",
+                                         "0.4,1,1,12,\n",
+                                         "0.5,0,1,1,\n",
+                                         "0.5,1,1,11,\n",
+                                         "0.4,0,2,4,\n",
+                                         "0.4,1,2,14,\n",
+                                         "0.5,0,2,2,\n"}; /* the one that is not finished has no row */
+    for (int i = 0; i < 8; i++) {
+        assert_non_null(fgets(line, sizeof line, file));
+        assert_string_equal(line, points[i]);
+    }
+    fclose(file);
     tr_grid_free(&g);
 }
 
