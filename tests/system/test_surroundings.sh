@@ -21,7 +21,7 @@ check 'without gnuplot and ffmpeg it runs' with_path "$work/none" small.yaml -o 
 check 'says that there are no curves' says stderr 'note: no curves: gnuplot is not installed'
 check 'and no film' says stderr 'note: no film: ffmpeg is not installed'
 check 'all else is there' equals "$(listing alone | tr '\n' ' ')" \
-    'case.yaml contacts.csv frames/00000.png frames/00001.png history.csv summary.json '
+    'case.yaml contacts.csv disks.csv frames/00000.png frames/00001.png history.csv summary.json '
 check 'with no PATH at all' env -u PATH "$TRUNDLE" run bodies.yaml -o no_path --frames 1
 printf '#!/bin/sh\nexit 7\n' >bad/gnuplot
 chmod +x bad/gnuplot
