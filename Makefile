@@ -24,7 +24,7 @@ LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o)
 CLI_OBJ  := $(CLI_SRC:%=$(BUILD)/%.o)
 TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all biaxial figures bands features demos gallery verify test test-slurm install asan lint format clean help packages-% build-all run-demos run-tests
+.PHONY: all biaxial figures bands features bench bench-peers demos gallery verify test test-slurm install asan lint format clean help packages-% build-all run-demos run-tests
 .SECONDARY:
 
 all: packages-build
@@ -45,10 +45,21 @@ features: packages-build
 	@$(MAKE) --no-print-directory build-all
 	@$(MAKE) --no-print-directory --what-if figures/features.gp out/figures/features.png
 
-# Not among the figures: minutes.
+# Minutes.
 bands: packages-build
 	@$(MAKE) --no-print-directory build-all
 	@$(MAKE) --no-print-directory out/figures/shear-bands.png
+
+# Minutes. Measures anew each time, too.
+bench: packages-build
+	@$(MAKE) --no-print-directory build-all
+	@$(MAKE) --no-print-directory --what-if figures/bench.gp out/figures/bench.png
+
+# Half a minute. LAMMPS is not installed for it.
+bench-peers: packages-build
+	@$(MAKE) --no-print-directory build-all
+	@mkdir -p out/figures
+	tests/bench/peers.sh ./trundle out/figures/peers.csv
 
 # What fails does not keep the others away, and is tried again the next time.
 demos: packages-build
@@ -104,6 +115,8 @@ help:
 	@echo 'make figures   build, and draw figures/*.gp with their data into out/figures/ (needs gnuplot)'
 	@echo 'make features  build, measure what each feature and each law costs, and draw it: out/figures/features.png'
 	@echo 'make bands     build, shear 10,000 disks without and with rolling resistance, and draw where they turn; minutes'
+	@echo 'make bench     build, measure a step of 100 to 1000000 disks, and draw it: out/figures/bench.png; minutes'
+	@echo 'make bench-peers  the same packing here and in LAMMPS, if that is installed: time of a step and ratio'
 	@echo 'make demos     build, and run all cases but the biaxial tests into out/demos/, those that have changed'
 	@echo 'make gallery   make demos, and one page of them to show in a lecture: out/gallery/index.html'
 	@echo 'make verify    build, compare with answers from elsewhere, and draw error against run time: out/verify/; minutes'
@@ -158,6 +171,10 @@ out/figures/%.png: figures/%.sh figures/%.gp $(wildcard figures/*.yaml) $(TRUNDL
 out/figures/features.png: figures/features.gp $(TRUNDLE)
 	@mkdir -p $(@D)
 	./$(TRUNDLE) bench --features -o $(@:.png=.csv)
+	$(draw)
+out/figures/bench.png: figures/bench.gp $(TRUNDLE)
+	@mkdir -p $(@D)
+	./$(TRUNDLE) bench --sizes 1000000 -o $(@:.png=.csv)
 	$(draw)
 
 out/bands/mu_r-%/summary.json: cases/shear-bands.yaml $(TRUNDLE)

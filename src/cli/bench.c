@@ -7,13 +7,16 @@
 #include "study/bench.h"
 #include <argp.h>
 #include <stdio.h>
+#include <stdlib.h>
 
-enum { SET = 1000, FEATURES };
+enum { SET = 1000, FEATURES, SIZES, PACKING };
 
 static const struct argp_option options[] = {
     {"set", SET, "KEY=VALUE", 0, "override a key: --set sample.disks=10000", 0},
     {"features", FEATURES, NULL, 0, "what each feature and each law costs, on the same packing", 0},
-    {"output", 'o', "OUT.csv", 0, "with --features: also write the table there", 0},
+    {"sizes", SIZES, "N", 0, "what a step costs with 100 to N disks (N from 100 to 1000000)", 0},
+    {"packing", PACKING, "DIR", 0, "write a packing there for LAMMPS, and shear it: see tests/bench/peers.sh", 0},
+    {"output", 'o', "OUT.csv", 0, "with --features or --sizes: also write the table there", 0},
     {0},
 };
 
@@ -24,14 +27,22 @@ static error_t parse(int key, char *value, struct argp_state *state) {
         a->set[a->n_set++] = value;
     else if (key == FEATURES)
         a->features = true;
+    else if (key == PACKING)
+        a->packing = value;
+    else if (key == SIZES && (a->largest = atoi(value)) < 100)
+        argp_error(state, "--sizes needs a number of disks from 100 on");
+    else if (key == SIZES)
+        return 0;
     else if (key == 'o')
         a->out = value;
     else if (key == ARGP_KEY_ARG && !a->file)
         a->file = value;
     else if (key == ARGP_KEY_ARG)
         argp_error(state, "one case file at a time");
-    else if (key == ARGP_KEY_END && a->out && !a->features)
-        argp_error(state, "-o is for --features");
+    else if (key == ARGP_KEY_END && a->out && !a->features && !a->largest)
+        argp_error(state, "-o is for --features and --sizes");
+    else if (key == ARGP_KEY_END && (a->features) + (a->largest > 0) + (a->packing != NULL) > 1)
+        argp_error(state, "one of --features, --sizes and --packing at a time");
     else
         return ARGP_ERR_UNKNOWN;
     return 0;
@@ -91,12 +102,17 @@ int tr_cli_bench(int argc, char **argv) {
         "Shears a sample (default: that of cases/biaxial.yaml) with all its laws and without rolling resistance, and "
         "prints what a contact costs. A contact update is one touching contact in one whole step. With --features: the "
         "same packing with features added one at a time and laws exchanged one at a time, over the start of the "
-        "shear; exit code 1 if what is left out still costs.",
+        "shear; exit code 1 if what is left out still costs. With --sizes: whole steps of samples from 100 disks up.",
         0,
         0,
         0};
     argv[0] = "trundle bench";
     argp_parse(&argp, argc, argv, 0, NULL, &a);
     tr_status st = {0};
-    return (a.features ? tr_cli_bench_features(&a, &st) : passes(&a, &st)) ? TR_OK : tr_cli_fail(&st);
+    return (a.features  ? tr_cli_bench_features(&a, &st)
+            : a.largest ? tr_cli_bench_sizes(&a, &st)
+            : a.packing ? tr_cli_bench_packing(&a, &st)
+                        : passes(&a, &st))
+               ? TR_OK
+               : tr_cli_fail(&st);
 }

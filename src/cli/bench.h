@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The two tables of trundle bench. */
+/* The tables of trundle bench. */
 #ifndef TR_CLI_BENCH_H
 #define TR_CLI_BENCH_H
 
@@ -7,13 +7,16 @@
 
 enum { TR_BENCH_SETS = 64 };
 typedef struct tr_bench_arguments {
-    const char *file, *out, *set[TR_BENCH_SETS];
+    const char *file, *out, *packing, *set[TR_BENCH_SETS];
     int n_set;
     bool features;
+    int largest; /* of --sizes; 0: not asked for */
 } tr_bench_arguments;
 
 /* Reads its case with these further n settings. */
 bool tr_cli_bench_case(const tr_bench_arguments *a, const char *const *more, int n, tr_scene *scene, tr_status *st);
 bool tr_cli_bench_features(const tr_bench_arguments *a, tr_status *st);
+bool tr_cli_bench_sizes(const tr_bench_arguments *a, tr_status *st);
+bool tr_cli_bench_packing(const tr_bench_arguments *a, tr_status *st);
 
 #endif

@@ -5,6 +5,7 @@
 #include "core/biaxial.h"
 #include "core/step.h"
 #include "study/run_internal.h"
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -21,14 +22,14 @@ static double quantile(double *values, int n, double q) {
     return values[(int)(q * (n - 1) + 0.5)];
 }
 
-static tr_quartiles quartiles(const double values[BLOCKS]) {
+tr_quartiles tr_bench_quartiles(const double *values, int n) {
     double sorted[BLOCKS];
-    memcpy(sorted, values, sizeof sorted);
-    return (tr_quartiles){quantile(sorted, BLOCKS, 0.25), quantile(sorted, BLOCKS, 0.5),
-                          quantile(sorted, BLOCKS, 0.75)};
+    assert(n <= BLOCKS);
+    memcpy(sorted, values, (size_t)n * sizeof *sorted);
+    return (tr_quartiles){quantile(sorted, n, 0.25), quantile(sorted, n, 0.5), quantile(sorted, n, 0.75)};
 }
 
-static double clock_now(void) {
+double tr_bench_clock(void) {
     struct timespec t;
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
@@ -42,7 +43,7 @@ static void nothing(void *context, tr_group *group, tr_tile *tile) {
  * is 0. */
 static double time_walk(tr_world *world, int n_pass, tr_status *st) {
     int whole[2] = {world->group[0].n_pass, world->group[1].n_pass}, calls = 300000 / (world->group[0].n + 100) + 1;
-    double start = clock_now();
+    double start = tr_bench_clock();
     for (int c = 0; c < calls; c++) {
         if (n_pass < 0) {
             world->fresh = true;
@@ -55,7 +56,7 @@ static double time_walk(tr_world *world, int n_pass, tr_status *st) {
             world->group[k].n_pass = whole[k];
         }
     }
-    return (clock_now() - start) / calls;
+    return (tr_bench_clock() - start) / calls;
 }
 
 /* What each pass adds: the walk is cut after every pass in turn, and the whole is repeated. */
@@ -118,11 +119,11 @@ static bool prepare(subject *s, const subject *first, const tr_scene *scene, tr_
 static bool draw(subject *s, int k, tr_canvas *canvas, tr_status *st) {
     tr_record *records = NULL;
     int capacity = 0;
-    double start = clock_now();
+    double start = tr_bench_clock();
     s->view.n_records = tr_record_all(&s->b.world, &records, &capacity, st);
     s->view.record = records;
     if (!st->code) tr_draw_biaxial(canvas, &s->view);
-    s->frame[k] = clock_now() - start;
+    s->frame[k] = tr_bench_clock() - start;
     free(records);
     return st->code == TR_OK;
 }
@@ -133,11 +134,11 @@ static bool run_block(subject *s, int k, tr_bench_report *r, tr_status *st) {
     double start = 0;
     world->stale = true;
     for (int64_t n = -1; n < steps; n++) { /* the first, with the new list that the new packing needs, does not count */
-        if (n == 0) start = clock_now(), updates = world->contact_updates;
+        if (n == 0) start = tr_bench_clock(), updates = world->contact_updates;
         if (!tr_biaxial_forces(&s->b, st)) return false;
         tr_step_advance(world);
     }
-    double seconds = clock_now() - start, touched = (double)(world->contact_updates - updates);
+    double seconds = tr_bench_clock() - start, touched = (double)(world->contact_updates - updates);
     s->ns[k] = 1e9 * seconds / touched;
     s->step[k] = seconds / (double)steps;
     r->touching += touched / (double)steps / BLOCKS;
@@ -148,13 +149,13 @@ static bool run_block(subject *s, int k, tr_bench_report *r, tr_status *st) {
 static void report_subject(const subject *s, const subject *first, tr_bench_report *r) {
     double share[BLOCKS];
     for (int k = 0; k < BLOCKS; k++) share[k] = s->step[k] / first->step[k];
-    r->ns = quartiles(s->ns);
-    r->share = quartiles(share);
-    r->us_per_step = 1e6 * quartiles(s->step).median;
+    r->ns = tr_bench_quartiles(s->ns, BLOCKS);
+    r->share = tr_bench_quartiles(share, BLOCKS);
+    r->us_per_step = 1e6 * tr_bench_quartiles(s->step, BLOCKS).median;
     r->bytes_per_disk = (double)tr_world_bytes(&s->b.world) / s->b.world.disks.n;
     r->histories = tr_world_histories(&s->b.world);
     r->steps = (double)s->b.shear_steps;
-    if (s->b.scene->output.frames) r->frame = quartiles(s->frame);
+    if (s->b.scene->output.frames) r->frame = tr_bench_quartiles(s->frame, BLOCKS);
 }
 
 bool tr_bench(const tr_scene *const *scenes, int n, bool passes, tr_bench_report *reports, tr_status *st) {

@@ -51,6 +51,60 @@ check 'without friction it is refused' equals "$("$TRUNDLE" bench --features --s
 check 'refused with code 2' sh -c '"$0" bench --features --set contact.rolling=none; test $? -eq 2' "$TRUNDLE"
 check 'a table of nothing is refused' sh -c '"$0" bench -o "$1"; test $? -eq 2' "$TRUNDLE" "$work/none.csv"
 
+# ---- cost against the number of disks
+"$TRUNDLE" bench --sizes 4000 --set compaction.inertial_number=0.1 --set compaction.unbalanced=1e-2 --set shear.inertial_number=8e-3 \
+    -o "$work/sizes.csv" >"$work/out" 2>"$work/err"
+check '--sizes runs' equals $? 0
+check 'every size up to the largest' equals "$(awk -F, 'NR > 1 {printf "%s ", $1}' "$work/sizes.csv")" '100 200 400 1000 4000 '
+check 'quartiles about the median, shares below 1' awk -F, \
+    'NR > 1 && !($3 > 0 && $3 <= $2 && $2 <= $4 && $6 > 0 && $6 <= $5 && $5 <= $7 && $12 > 0 && $12 < 1 && $13 > 0) {print; bad = 1}
+    END {exit bad}' "$work/sizes.csv"
+# Of a cycle, not of a median: 10 % for the difference.
+check 'time of a step is that of its contacts' awk -F, 'NR > 1 && ($2/$5/$8*1e3 > 1.1 || $2/$5/$8*1e3 < 0.9) {print; bad = 1} END {exit bad}' "$work/sizes.csv"
+# A tile has 4 x 35 disks at its cuts: pairs missing or doubled there would be 5 to 10 %.
+check 'four tiles are packed like one' awk -F, '$1 == 1000 {one = $9/$1} $1 == 4000 {four = $9/$1}
+    END {print one, four; exit !(four > 0.97*one && four < 1.03*one)}' "$work/sizes.csv"
+check 'a line with the slope' grep -qE '^time of a step ~ N\^[0-9.]+ for N = 1000 to 4000$' "$work/out"
+check 'too few disks are refused' sh -c '"$0" bench --sizes 99; test $? -eq 2' "$TRUNDLE"
+
+# ---- the same packing in LAMMPS
+peers=$root/tests/bench
+mkdir "$work/packing"
+"$TRUNDLE" bench --packing "$work/packing" --set sample.disks=60 --set contact.mu_r=0.25 >"$work/out" 2>"$work/err"
+check '--packing runs' equals $? 0
+# density x sphere of LAMMPS against 2700 kg/m^3 x pi R^2 x 1 m
+check 'masses are those of disks' awk 'NF == 7 && /^[0-9]/ && $3 > 0 && $4 > 1000 {
+        n++; R = $3/2; m = $4*4/3*3.14159265358979*R^3/(2700*3.14159265358979*R^2); if (m > 1 + 1e-9 || m < 1 - 1e-9) bad = 1
+    } END {exit bad || n != 60}' "$work/packing/packing.data"
+check 'some disks are held, some not' equals "$(awk 'NF == 7 && $4 > 1000 {type[$2] = 1} END {print type[1] type[2]}' "$work/packing/packing.data")" 11
+check 'parameters are those of the case' equals "$(awk '/k_n|mu_r|k_t/ {printf "%s %g ", $2, $4}' "$work/packing/packing.lmp")" \
+    'k_n 1.6e+08 k_t 8e+07 mu_r 0.25 '
+# alpha(e) of Tsuji in the form in which LAMMPS prints it; 2 zeta = 0.6
+check 'restitution for the damping ratio' awk '/variable e / {e = $4; a = 1.2728 - 4.2783*e + 11.087*e^2 - 22.348*e^3 + 27.467*e^4 - 18.022*e^5 + 4.8218*e^6}
+    END {print a; exit !(a > 0.6 - 1e-9 && a < 0.6 + 1e-9)}' "$work/packing/packing.lmp"
+check 'a law that LAMMPS does not have is refused' sh -c '"$0" bench --packing "$1" --set contact.normal=hertz-line; test $? -eq 2' "$TRUNDLE" "$work/packing"
+made_up() {
+    echo 'repeat,code,law,us_per_step,touching,kinetic,spinning,xx,yy,touching_end'
+    for repeat in 1 2 3; do
+        echo "$repeat,trundle,off,$repeat,700,1,1,100,200,700"
+        echo "$repeat,lammps-gran,off,$((repeat * repeat + 4)),700,1,1,100,$1,700"
+    done
+}
+made_up 200.1 >"$work/made-up.csv" # times 1 2 3 and 5 8 13: ratios 5, 4, 13/3
+check 'ratio of the times, repeat by repeat' sh -c 'awk -f "$0" "$1" | grep -qF ", 4.33 (4.33 to 5.00) times trundle"' "$peers/peers.awk" "$work/made-up.csv"
+made_up 210 >"$work/made-up.csv"
+check 'other stresses are other work' not awk -f "$peers/peers.awk" "$work/made-up.csv"
+mkdir "$work/none"
+for tool in sh dirname; do ln -s "$(command -v "$tool")" "$work/none/"; done
+check 'without LAMMPS it says so' equals "$(PATH=$work/none "$peers/peers.sh" "$TRUNDLE" "$work/peers.csv" && echo done)" \
+    "no LAMMPS here (apt-get install lammps): nothing compared
+done"
+if command -v lmp >/dev/null 2>&1; then
+    check 'LAMMPS does the same work' "$peers/peers.sh" "$TRUNDLE" "$work/peers.csv" 1
+else
+    skip 'LAMMPS does the same work' 'no lammps here'
+fi
+
 # README shows a mistake in cases/biaxial.yaml and what the tool says of it.
 mkdir "$work/cases"
 sed 's/^  mu_r:/  mu_R:/' "$root/cases/biaxial.yaml" >"$work/cases/biaxial.yaml"

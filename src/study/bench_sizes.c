@@ -1,0 +1,163 @@
+/* SPDX-License-Identifier: MIT */
+/* What a step costs against the number of disks.
+ *
+ * PACKING. Compacting a million disks takes days, so a larger sample is a wall of tiles: one sample of 1000 disks, compacted
+ * like any other, and its mirror images. A disk that pressed on a wall now presses on its own image, with twice the overlap,
+ * which is a thousandth of a diameter, until both have moved. Numbers matter, for neighbours in number are neighbours in
+ * memory: a disk has that of the disk at its place in a loose sample of as many, as it would if that had been compacted.
+ *
+ * MOTION. All start with the homogeneous approach of the walls that drive the shear, for in a large sample it would take thousands of
+ * steps for the motion of the walls to reach the inside. The strain rate is the same for all sizes, so that in a larger sample the
+ * disks move faster and lists are made more often: that is a cost of size, and part of what is measured.
+ *
+ * A CYCLE is all steps from a search (the wide list) up to the next. The first is not counted: caches and tiles settle. */
+#include "study/bench.h"
+
+#include "base/alloc.h"
+#include "core/biaxial.h"
+#include "core/step.h"
+#include <math.h>
+#include <stdlib.h>
+
+enum { TILE = 1000 };
+
+typedef struct subject {
+    tr_scene scene; /* that of all, but for the number of disks */
+    tr_biaxial b;
+    double search; /* time of the forces with which the next cycle begins [s] */
+    double us[TR_BENCH_CYCLES], ns[TR_BENCH_CYCLES];
+} subject;
+
+bool tr_bench_compact(tr_biaxial *b, tr_status *st) {
+    double unbalanced;
+    bool done = false;
+    while (!done)
+        if (!tr_biaxial_compact(b, 200, &unbalanced, &done, st)) return false;
+    return true;
+}
+
+/* Coordinate v in tile number k of a row of tiles of this pitch; every other tile is a mirror image. */
+static double unfold(double v, double pitch, int k) {
+    return k % 2 ? (k + 1) * pitch - v : k * pitch + v;
+}
+
+static int compare(const void *a, const void *b, void *lanes) {
+    const double *v = lanes, p = v[4 * (size_t) * (const int *)a], q = v[4 * (size_t) * (const int *)b];
+    return (p > q) - (p < q);
+}
+
+/* Numbers of the disks at pos, row by row, from left to right. */
+static int *by_place(double *pos, int n, tr_status *st) {
+    int *number = tr_alloc((size_t)n, sizeof *number, st), row = (int)sqrt(n);
+    if (!number) return NULL;
+    for (int i = 0; i < n; i++) number[i] = i;
+    qsort_r(number, (size_t)n, sizeof *number, compare, pos + 1);
+    for (int i = 0; i < n; i += row)
+        qsort_r(number + i, (size_t)(n - i < row ? n - i : row), sizeof *number, compare, pos);
+    return number;
+}
+
+bool tr_bench_tile(tr_biaxial *to, const tr_biaxial *tile, tr_status *st) {
+    int n = to->world.disks.n, of_tile = tile->world.disks.n, tiles = n / of_tile, rows = (int)sqrt(tiles);
+    while (tiles % rows) rows--;
+    int columns = tiles / rows;
+    const tr_wall *w = tile->world.wall;
+    double x0 = w[TR_LEFT_WALL].x, y0 = w[TR_BOTTOM_WALL].y, width = w[TR_RIGHT_WALL].x - x0,
+           height = w[TR_TOP_WALL].y - y0;
+    double *pos = tr_alloc((size_t)n * 4, sizeof *pos, st);
+    for (int i = 0; pos && i < n; i++) {
+        const double *q = tile->world.disks.pos + 4 * (size_t)(i % of_tile);
+        pos[4 * (size_t)i] = unfold(q[0] - x0, width, i / of_tile % columns);
+        pos[4 * (size_t)i + 1] = unfold(q[1] - y0, height, i / of_tile / columns);
+        pos[4 * (size_t)i + 3] = q[3];
+    }
+    int *loose = pos ? by_place(to->world.disks.pos, n, st) : NULL, *dense = loose ? by_place(pos, n, st) : NULL;
+    for (int i = 0; dense && i < n; i++) {
+        const double *q = pos + 4 * (size_t)dense[i];
+        tr_world_set_disk(&to->world, loose[i], q[0], q[1], 0, q[3], tile->scene->sample.density, false);
+    }
+    tr_wall *wall = to->world.wall;
+    wall[TR_LEFT_WALL].x = wall[TR_BOTTOM_WALL].y = 0;
+    wall[TR_RIGHT_WALL].x = columns * width, wall[TR_TOP_WALL].y = rows * height;
+    free(pos), free(loose), free(dense);
+    return st->code == TR_OK;
+}
+
+static void flow(tr_biaxial *b) {
+    const tr_wall *w = b->world.wall;
+    double y = (w[TR_BOTTOM_WALL].y + w[TR_TOP_WALL].y) / 2;
+    for (int i = 0; i < b->world.disks.n; i++)
+        b->world.disks.vel[4 * (size_t)i + 1] = -b->rate * (b->world.disks.pos[4 * (size_t)i + 1] - y);
+}
+
+static bool prepare(subject *s, const tr_scene *scene, int disks, const tr_biaxial *tile, tr_status *st) {
+    s->scene = *scene;
+    s->scene.sample.disks = disks;
+    if (!tr_biaxial_init(&s->b, &s->scene, st)) return false;
+    if (disks <= TILE ? !tr_bench_compact(&s->b, st) : !tr_bench_tile(&s->b, tile, st)) return false;
+    if (!tr_biaxial_begin_shear(&s->b, st)) return false;
+    flow(&s->b);
+    return tr_biaxial_forces(&s->b, st); /* the first search */
+}
+
+/* One of a million disks takes as long as all of the others. */
+static int cycles(int disks) {
+    return disks > 100000 ? 3 : TR_BENCH_CYCLES;
+}
+
+/* The clock is read at new lists alone: it would be a tenth of a step of 100 disks. */
+static bool run_cycle(subject *s, int k, tr_bench_size *r, tr_status *st) {
+    tr_world *world = &s->b.world;
+    int64_t searches = world->searches, refreshes = world->refreshes, updates = world->contact_updates, last = updates,
+            steps = 0;
+    double listed = world->group[0].n + world->group[1].n, renewing = s->search, start = tr_bench_clock() - s->search,
+           end = start;
+    do {
+        tr_step_advance(world);
+        steps++;
+        bool renew = world->stale;
+        if (renew) end = tr_bench_clock(), last = world->contact_updates;
+        if (!tr_biaxial_forces(&s->b, st)) return false;
+        if (renew) s->search = tr_bench_clock() - end;
+        if (world->searches == searches && renew) renewing += s->search;
+    } while (world->searches == searches);
+    if (k < 0) return true;
+    double seconds = end - start, lists = (double)(world->refreshes - refreshes), n = (double)steps;
+    double touched = (double)(last - updates) * n / (n - 1); /* in the last n - 1 force calculations */
+    s->us[k] = 1e6 * seconds / n;
+    s->ns[k] = 1e9 * seconds / touched;
+    double part = 1.0 / cycles(r->disks);
+    r->touching += part * touched / n, r->listed += part * listed;
+    r->steps += part * n, r->refreshes += part * lists;
+    r->rebuild += part * (1 - (seconds - renewing) / (n - lists) * n / seconds);
+    return true;
+}
+
+bool tr_bench_sizes(const tr_scene *scene, tr_bench_size *sizes, int n, tr_status *st) {
+    subject *s = tr_alloc((size_t)n + 1, sizeof *s, st), *tile = s + n;
+    bool ok = s != NULL;
+    if (ok && sizes[n - 1].disks > TILE) {
+        tile->scene = *scene;
+        tile->scene.sample.disks = TILE;
+        ok = tr_biaxial_init(&tile->b, &tile->scene, st) && tr_bench_compact(&tile->b, st);
+    }
+    for (int i = 0; ok && i < n; i++) ok = prepare(&s[i], scene, sizes[i].disks, &tile->b, st);
+    for (int k = -1; ok && k < TR_BENCH_CYCLES; k++)
+        for (int i = 0; ok && i < n; i++)
+            if (k < cycles(sizes[i].disks)) ok = run_cycle(&s[i], k, &sizes[i], st);
+    for (int i = 0; ok && i < n; i++) {
+        sizes[i].us = tr_bench_quartiles(s[i].us, cycles(sizes[i].disks));
+        sizes[i].ns = tr_bench_quartiles(s[i].ns, cycles(sizes[i].disks));
+        sizes[i].bytes_per_disk = (double)tr_world_bytes(&s[i].b.world) / sizes[i].disks;
+    }
+    for (int i = 0; s && i <= n; i++) tr_biaxial_free(&s[i].b);
+    free(s);
+    return ok;
+}
+
+double tr_bench_slope(const double *x, const double *y, int n) {
+    double mx = 0, my = 0, xx = 0, xy = 0;
+    for (int i = 0; i < n; i++) mx += log(x[i]) / n, my += log(y[i]) / n;
+    for (int i = 0; i < n; i++) xx += (log(x[i]) - mx) * (log(x[i]) - mx), xy += (log(x[i]) - mx) * (log(y[i]) - my);
+    return xy / xx;
+}
