@@ -55,7 +55,7 @@ bench: packages-build
 	@$(MAKE) --no-print-directory build-all
 	@$(MAKE) --no-print-directory --what-if figures/bench.gp out/figures/bench.png
 
-# Half a minute. LAMMPS is not installed for it.
+# One or two minutes. LAMMPS is not installed for it.
 bench-peers: packages-build
 	@$(MAKE) --no-print-directory build-all
 	@mkdir -p out/figures

@@ -6,7 +6,8 @@ stats csv skip 1 using ($1 >= from ? log($1) : NaN):(log($2)) name 'fit' nooutpu
 largest = exp(fit_max_x)
 
 set multiplot
-set lmargin at screen 0.11
+set lmargin at screen 0.12
+set samples 500
 set rmargin at screen 0.98
 set grid linecolor '#d0d0d0'
 set logscale x
@@ -18,9 +19,9 @@ set tmargin at screen 0.96
 set bmargin at screen 0.56
 set logscale y
 set format y '10^{%L}'
-set ylabel 'time of a step (µs)' offset 1
+set ylabel 'time of a step (µs)' offset 0
 set key top left Left reverse samplen 2
-plot [x = from:largest] exp(fit_intercept)*x**fit_slope with lines linewidth 3 linecolor rgb '#cc3311' \
+plot (x >= 0.99*from && x <= 1.01*largest ? exp(fit_intercept)*x**fit_slope : NaN) with lines linewidth 3 linecolor rgb '#cc3311' \
         title sprintf('N^{%.2f}, fitted from N = %d to %.0f', fit_slope, from, largest), \
     csv skip 1 using 1:2:3:4 with yerrorbars pointtype 7 linewidth 2 linecolor rgb '#0072b2' title 'medians and quartiles'
 
@@ -29,7 +30,7 @@ set bmargin at screen 0.11
 unset logscale y
 set format y '%g'
 set yrange [0:*]
-set ylabel 'per touching contact (ns)' offset 1
+set ylabel 'per touching contact (ns)' offset -1
 set xlabel 'disks N' offset 0,0.4
 plot csv skip 1 using 1:5:6:7 with yerrorlines pointtype 7 linewidth 2 linecolor rgb '#0072b2' title 'whole step', \
     csv skip 1 using 1:($5*$12) with linespoints pointtype 6 linewidth 2 linecolor rgb '#e69f00' title 'of it making lists'

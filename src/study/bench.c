@@ -19,7 +19,9 @@ static int compare(const void *a, const void *b) {
 
 static double quantile(double *values, int n, double q) {
     qsort(values, (size_t)n, sizeof *values, compare);
-    return values[(int)(q * (n - 1) + 0.5)];
+    double at = q * (n - 1);
+    int below = (int)at, above = below + 1 < n ? below + 1 : below;
+    return values[below] + (at - below) * (values[above] - values[below]);
 }
 
 tr_quartiles tr_bench_quartiles(const double *values, int n) {

@@ -34,6 +34,11 @@ static void quartiles_of_any_order(void **state) {
     assert_close(q.low, 3, 0, 0);
     assert_close(q.median, 5, 0, 0);
     assert_close(q.high, 7, 0, 0);
+    q = tr_bench_quartiles(values,
+                           3); /* 1, 7, 9: halfway between the neighbours, so that the two differ from the median */
+    assert_close(q.low, 4, 0, 0);
+    assert_close(q.median, 7, 0, 0);
+    assert_close(q.high, 8, 0, 0);
     assert_close(values[0], 7, 0, 0); /* they stay as they were: row k of all columns is one repeat */
 }
 
