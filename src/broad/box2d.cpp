@@ -6,6 +6,9 @@
  * subtracted, and boxes are rounded outward. The tree only proposes; the gap is then checked in double, so that this
  * finder and brute force give the same pairs. Every disk is queried at every call: Box2D's own UpdatePairs reports a
  * pair once and would miss it when disks part and meet again. No exception leaves this file.
+ *
+ * In a periodic cell the images of a disk's box that meet any disk of the cell are queried too: those of disks within
+ * r + r_max + skin of an edge (r + skin would miss pairs at the corners, and large partners).
  */
 extern "C" {
 #include "broad/broad_internal.h"
@@ -27,8 +30,8 @@ struct Box2d {
     float down(double v) const { return std::nextafter(static_cast<float>(v), -INFINITY); }
     float up(double v) const { return std::nextafter(static_cast<float>(v), INFINITY); }
 
-    b2AABB box(const double *p, double skin) const {
-        double x = (p[0] - x0) * scale, y = (p[1] - y0) * scale, r = (p[3] + skin) * scale;
+    b2AABB box(const double *p, double skin, double shift_x = 0, double shift_y = 0) const {
+        double x = (p[0] + shift_x - x0) * scale, y = (p[1] + shift_y - y0) * scale, r = (p[3] + skin) * scale;
         b2AABB b;
         b.lowerBound.Set(down(x - r), down(y - r));
         b.upperBound.Set(up(x + r), up(y + r));
@@ -75,10 +78,19 @@ bool find(void *finder, const tr_broad_input *input, tr_pairs *pairs, tr_status 
         for (int i = 0; i < input->n; i++)
             self->tree.MoveProxy(self->proxy[static_cast<size_t>(i)],
                                  self->box(input->pos + 4 * static_cast<size_t>(i), 0), b2Vec2(0, 0));
+        b2AABB all = input->n ? self->box(input->pos, 0) : b2AABB{};
+        for (int i = 0; i < input->n; i++) all.Combine(self->tree.GetFatAABB(self->proxy[static_cast<size_t>(i)]));
         for (int a = 0; a < input->n; a++) {
             self->near.clear();
             Collect collect{self, input, a};
-            self->tree.Query(&collect, self->box(input->pos + 4 * static_cast<size_t>(a), input->skin));
+            const double *p = input->pos + 4 * static_cast<size_t>(a);
+            self->tree.Query(&collect, self->box(p, input->skin));
+            for (int image = 0; image < 9 && input->cell; image++) {
+                if (image == 4) continue; /* itself */
+                b2AABB box =
+                    self->box(p, input->skin, (image % 3 - 1) * input->cell[0], (image / 3 - 1) * input->cell[1]);
+                if (b2TestOverlap(box, all)) self->tree.Query(&collect, box);
+            }
             std::sort(self->near.begin(), self->near.end());
             for (int b : self->near)
                 if (!tr_pairs_add(pairs, a, b, st)) return false;

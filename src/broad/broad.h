@@ -1,10 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /* Pair finding: which disks are closer than a skin. Two finders behind one row: Box2D's tree, and brute force (the
- * oracle, and all that a handful of disks needs). No physics. */
+ * oracle, and all that a handful of disks needs). No physics.
+ *
+ * In a periodic cell a pair is a disk and the nearest image of the other one. So that no other image is near too, each
+ * side of the cell is longer than 2 (2 r_max + skin): the caller sees to that. Centres are in one cell, edges included.
+ */
 #ifndef TR_BROAD_H
 #define TR_BROAD_H
 
 #include "base/status.h"
+#include <math.h>
 
 typedef struct tr_pairs {
     int n, capacity;
@@ -15,7 +20,8 @@ typedef struct tr_pairs {
 typedef struct tr_broad_input {
     int n;
     const double *pos;
-    double skin; /* pairs with gap |X21| - R1 - R2 < skin are wanted, no others are given [m] */
+    double skin;        /* pairs with gap |X21| - R1 - R2 < skin are wanted, no others are given [m] */
+    const double *cell; /* two sides of the periodic cell [m]; NULL: there is none */
 } tr_broad_input;
 
 typedef struct tr_broad_finder {
@@ -26,6 +32,11 @@ typedef struct tr_broad_finder {
 } tr_broad_finder;
 
 extern const tr_broad_finder tr_broad_brute, tr_broad_box2d;
+
+/* Number of the image of q that is nearest to p, along one axis: it is at q + image*side. */
+static inline double tr_broad_image(double p, double q, double side) {
+    return -rint((q - p) / side);
+}
 
 /* The finder for n disks: brute force up to 32, else Box2D. */
 const tr_broad_finder *tr_broad_choose(int n);

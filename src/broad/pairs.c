@@ -36,6 +36,10 @@ bool tr_broad_check(const tr_broad_input *input, tr_status *st) {
 bool tr_broad_near(const tr_broad_input *input, int a, int b) {
     const double *p = input->pos + 4 * (size_t)a, *q = input->pos + 4 * (size_t)b;
     double dx = q[0] - p[0], dy = q[1] - p[1], reach = p[3] + q[3] + input->skin;
+    if (input->cell) {
+        dx += tr_broad_image(p[0], q[0], input->cell[0]) * input->cell[0];
+        dy += tr_broad_image(p[1], q[1], input->cell[1]) * input->cell[1];
+    }
     return dx * dx + dy * dy < reach * reach;
 }
 

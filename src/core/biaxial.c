@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "core/biaxial.h"
 
+#include "core/cell.h"
+#include "core/contacts.h"
 #include "core/ledger.h"
 #include "core/measures.h"
 #include "core/sample.h"
@@ -22,6 +24,8 @@ static const double COMPACTION_SAFETY = 0.4;
 /* Lengths of the walls, and what pushes the pistons, follow the box. */
 static void fit_walls(tr_biaxial *b, double horizontal, double lateral) {
     tr_wall *w = b->world.wall;
+    tr_periodic_cell *cell = &b->world.cell;
+    cell->load[0] = lateral * cell->side[1], cell->load[1] = horizontal * cell->side[0];
     double width = w[TR_RIGHT_WALL].x - w[TR_LEFT_WALL].x, height = w[TR_TOP_WALL].y - w[TR_BOTTOM_WALL].y;
     w[TR_BOTTOM_WALL].length = w[TR_TOP_WALL].length = width;
     w[TR_LEFT_WALL].length = w[TR_RIGHT_WALL].length = height;
@@ -56,6 +60,30 @@ double tr_biaxial_stiffness(const tr_biaxial *b, double pressure) {
     return normal->law->elastic(normal->par, R, R, delta).stiffness;
 }
 
+/* Of a stress that is asked for, and of the cell at the end: what can be known before. */
+static bool check_reach(const tr_biaxial *b, double dense, tr_status *st) {
+    const tr_scene *scene = b->scene;
+    const tr_slot *normal = &b->world.group[0].slot[TR_NORMAL];
+    const double R = b->mean_radius, asked[2] = {scene->compaction.pressure, scene->shear.lateral_pressure};
+    for (int k = 0; k < 2; k++) {
+        double overlap = normal->law->overlap(normal->par, R, R, 2 * R * asked[k]);
+        if (!(overlap < TR_LARGEST_OVERLAP * R))
+            return tr_status_fail(
+                st, TR_BAD_CASE,
+                "error: %s = %g is out of reach: it would press disks %.3g m into each other, more than "
+                "0.3 of their mean radius %.3g m; give stiffer contacts or less",
+                k ? "shear.lateral_pressure" : "compaction.pressure", asked[k], overlap, R);
+    }
+    double height = dense * (1 - scene->shear.strain_end), least = tr_cell_least_side(&b->world);
+    if (b->world.n_walls || height > least) return true;
+    return tr_status_fail(
+        st, TR_BAD_CASE,
+        "error: the periodic cell would be too thin: about %.3g m high at the end of the shear, and it "
+        "must be above %.3g m, twice the largest disk and the skin of the contact list; give more "
+        "sample.disks or a smaller shear.strain_end",
+        height, least);
+}
+
 bool tr_biaxial_init(tr_biaxial *b, const tr_scene *scene, tr_status *st) {
     double side, radius_sum = 0, mass = 0;
     int n = scene->sample.disks;
@@ -67,7 +95,8 @@ bool tr_biaxial_init(tr_biaxial *b, const tr_scene *scene, tr_status *st) {
             "error: compaction.mu = %g needs a friction law with a coefficient mu, not contact.friction: %s",
             scene->compaction.mu, tr_laws_friction[friction->law]->table.name);
     if (!tr_world_init(&b->world, n, scene->shape, st)) return false;
-    if (!tr_sample_throw(&b->world, &scene->sample, scene->seed, &side, st)) return tr_biaxial_free(b), false;
+    if (!tr_sample_throw(&b->world, &scene->sample, scene->boundary == TR_PERIODIC, scene->seed, &side, st))
+        return tr_biaxial_free(b), false;
     b->disk_area = tr_measures_disk_area(&b->world.disks);
     for (int i = 0; i < n; i++) mass += b->world.disks.mass[i], radius_sum += b->world.disks.pos[4 * (size_t)i + 3];
     b->mean_mass = mass / n, b->mean_radius = radius_sum / n;
@@ -76,18 +105,21 @@ bool tr_biaxial_init(tr_biaxial *b, const tr_scene *scene, tr_status *st) {
     double dense = sqrt(b->disk_area * 1.2), row = b->mean_mass * fmax(1, dense / (2 * b->mean_radius));
     double v_max = 0.5 * dense * scene->compaction.inertial_number * sqrt(scene->compaction.pressure / b->mean_mass);
     tr_wall walls[4] = {{.ny = 1}, {.y = side, .ny = -1}, {.nx = 1}, {.x = side, .nx = -1}};
-    for (int w = 0; w < 4; w++) {
+    b->world.n_walls = scene->boundary == TR_PERIODIC ? 0 : 4;
+    for (int w = 0; w < b->world.n_walls; w++) {
         walls[w].mass = row, walls[w].v_max = v_max;
         b->world.wall[w] = walls[w];
     }
-    b->world.n_walls = 4;
+    if (scene->boundary == TR_PERIODIC) /* each side stands for two walls */
+        b->world.cell = (tr_periodic_cell){.side = {side, side}, .mass = {row, row}, .v_max = {2 * v_max, 2 * v_max}};
     tr_scene_contact laws = tr_biaxial_compaction_laws(scene);
     double bound;
     const tr_scene_step step = {.safety = COMPACTION_SAFETY};
     bool ok = tr_world_set_laws(&b->world, &scene->contact, scene->shear.walls == 0, 0, st) &&
               tr_timestep_choose(&b->world, &scene->step, 0, &b->dt_bound, st);
     b->dt = b->world.dt;
-    ok = ok && tr_world_set_laws(&b->world, &laws, true, 0, st) && tr_timestep_choose(&b->world, &step, 0, &bound, st);
+    ok = ok && tr_world_set_laws(&b->world, &laws, true, 0, st) &&
+         tr_timestep_choose(&b->world, &step, 0, &bound, st) && check_reach(b, dense, st);
     if (!ok) return tr_biaxial_free(b), false;
     if (closing_steps(b) > MOST_STEPS) {
         tr_status_fail(
@@ -105,14 +137,21 @@ void tr_biaxial_free(tr_biaxial *b) {
     tr_world_free(&b->world);
 }
 
-static double wall_stress(const tr_wall *w) {
-    return -(w->fx * w->nx + w->fy * w->ny) / w->length;
+/* On the disks at a wall, or at the sides of the cell in its place. */
+static double stress(const tr_biaxial *b, int wall) {
+    const tr_wall *w = &b->world.wall[wall];
+    const tr_periodic_cell *cell = &b->world.cell;
+    int axis = wall == TR_LEFT_WALL || wall == TR_RIGHT_WALL ? 0 : 1;
+    return b->world.n_walls ? -(w->fx * w->nx + w->fy * w->ny) / w->length
+                            : tr_cell_force(cell, axis) / cell->side[1 - axis];
 }
 
 static void drag(tr_biaxial *b) {
     const tr_disks *d = &b->world.disks;
+    const double flow[2] = {tr_cell_strain_rate(&b->world.cell, 0), tr_cell_strain_rate(&b->world.cell, 1)};
     for (int i = 0; i < d->n; i++)
-        for (int k = 4 * i; k < 4 * i + 2; k++) d->force[k] -= b->drag * d->mass[i] * d->vel[k];
+        for (int axis = 0, k = 4 * i; axis < 2; axis++, k++)
+            d->force[k] -= b->drag * d->mass[i] * (d->vel[k] - flow[axis] * d->pos[k]);
 }
 
 bool tr_biaxial_compact(tr_biaxial *b, int steps, double *unbalanced, bool *done, tr_status *st) {
@@ -133,22 +172,25 @@ bool tr_biaxial_compact(tr_biaxial *b, int steps, double *unbalanced, bool *done
     if (st->code) return false;
     *unbalanced = n ? m.unbalanced : 1;
     *done = n > 0 && m.unbalanced < b->scene->compaction.unbalanced;
-    for (int w = 0; w < 4; w++) *done = *done && fabs(wall_stress(&world->wall[w]) / pressure - 1) < pressure_error;
+    for (int w = 0; w < 4; w++) *done = *done && fabs(stress(b, w) / pressure - 1) < pressure_error;
     drag(b);
     tr_step_advance(world);
     if ((double)world->steps > too_many)
         return tr_status_fail(
             st, TR_NUMERICAL,
-            "error: compaction has not come to rest after %lld steps (unbalanced ratio %.3g, asked %.3g); is there "
-            "damping (contact.damping_ratio) or friction (compaction.mu)?",
-            (long long)world->steps, *unbalanced, b->scene->compaction.unbalanced);
+            "error: compaction has not come to rest after %lld steps (unbalanced ratio %.3g, asked %.3g; stresses "
+            "%.4g and %.4g, asked %.4g); is there damping (contact.damping_ratio) or friction (compaction.mu)?",
+            (long long)world->steps, *unbalanced, b->scene->compaction.unbalanced, stress(b, TR_TOP_WALL),
+            stress(b, TR_RIGHT_WALL), pressure);
     return true;
 }
 
 bool tr_biaxial_begin_shear(tr_biaxial *b, tr_status *st) {
     const tr_scene_shear *shear = &b->scene->shear;
     tr_wall *w = b->world.wall;
-    b->height0 = w[TR_TOP_WALL].y - w[TR_BOTTOM_WALL].y;
+    tr_biaxial_state now;
+    tr_biaxial_shape(b, &now);
+    b->height0 = now.height;
     b->rate = shear->inertial_number * sqrt(shear->lateral_pressure / b->mean_mass);
     b->shear_start = b->world.steps;
     b->world.dt = b->dt;
@@ -164,29 +206,46 @@ bool tr_biaxial_begin_shear(tr_biaxial *b, tr_status *st) {
         w[k].mass = 0;
         w[k].vy = 0.5 * b->rate * b->height0 * w[k].ny;
     }
+    if (!b->world.n_walls) {
+        b->world.cell.mass[1] = 0, b->world.cell.v_max[0] = INFINITY;
+        tr_cell_set_rate(&b->world, 1, -b->rate * b->height0);
+    }
     return tr_world_set_laws(&b->world, &b->scene->contact, shear->walls == 0,
                              b->scene->output.energy ? TR_SINK_LEDGER : 0, st);
+}
+
+/* The piston of the width on the mean stress, with a dashpot against its own slow motion; see biaxial.h. */
+static void hold_mean(tr_biaxial *b) {
+    const double share = 0.15, memory = 10; /* of critical damping; in units of 1/frequency */
+    tr_periodic_cell *cell = &b->world.cell;
+    double frequency = sqrt(tr_biaxial_stiffness(b, b->scene->shear.lateral_pressure) / cell->mass[0]);
+    double excess = 0.5 * (stress(b, TR_TOP_WALL) - stress(b, TR_RIGHT_WALL)); /* of the mean over the lateral stress */
+    cell->load[0] -= excess * cell->side[1];
+    cell->load[0] += 2 * share * cell->mass[0] * frequency * (cell->rate[0] - b->slow_rate);
+    b->slow_rate += b->world.dt * frequency / memory * (cell->rate[0] - b->slow_rate);
 }
 
 bool tr_biaxial_forces(tr_biaxial *b, tr_status *st) {
     tr_world *world = &b->world;
     fit_walls(b, 0, b->scene->shear.lateral_pressure);
     if (!tr_step_forces(world, st)) return false;
+    if (b->scene->shear.hold == TR_HOLD_MEAN) hold_mean(b);
     if (world->ledger) {
         if (world->steps == b->shear_start)
             tr_ledger_begin(world);
         else
             tr_ledger_walls(world);
     }
-    for (int k = 0; k < 4; k++) b->stress_sum[k] += wall_stress(&world->wall[k]);
+    for (int k = 0; k < 4; k++) b->stress_sum[k] += stress(b, k);
     b->stress_steps++;
     return true;
 }
 
 void tr_biaxial_shape(const tr_biaxial *b, tr_biaxial_state *s) {
     const tr_wall *w = b->world.wall;
-    s->height = w[TR_TOP_WALL].y - w[TR_BOTTOM_WALL].y;
-    s->width = w[TR_RIGHT_WALL].x - w[TR_LEFT_WALL].x;
+    const tr_periodic_cell *cell = &b->world.cell; /* whose sides are 0 where there are walls */
+    s->height = w[TR_TOP_WALL].y - w[TR_BOTTOM_WALL].y + cell->side[1];
+    s->width = w[TR_RIGHT_WALL].x - w[TR_LEFT_WALL].x + cell->side[0];
     s->strain = (b->height0 - s->height) / b->height0;
     s->time = (double)(b->world.steps - b->shear_start) * b->world.dt;
     s->void_ratio = s->height * s->width / b->disk_area - 1;

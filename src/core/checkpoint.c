@@ -33,6 +33,7 @@ void tr_world_checkpoint(tr_world *world, tr_checkpoint *c) {
     TR_KEEP(c, d->pos, 4 * d->n);
     TR_KEEP(c, d->vel, 4 * d->n);
     TR_KEEP(c, world->wall, world->n_walls);
+    TR_KEEP(c, &world->cell, 1);
     TR_KEEP(c, &world->steps, 1);
     TR_KEEP(c, &world->contact_updates, 1);
     TR_KEEP(c, &world->searches, 1);
@@ -53,6 +54,7 @@ void tr_biaxial_checkpoint(tr_biaxial *b, tr_checkpoint *c) {
     TR_KEEP(c, &b->shear_start, 1);
     TR_KEEP(c, b->stress_sum, 4);
     TR_KEEP(c, &b->stress_steps, 1);
+    TR_KEEP(c, &b->slow_rate, 1);
 }
 
 void tr_biaxial_packing(tr_biaxial *b, tr_checkpoint *c) {

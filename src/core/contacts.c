@@ -6,6 +6,7 @@
 #include "core/contacts.h"
 
 #include "base/alloc.h"
+#include "core/cell.h"
 #include "core/timestep.h"
 #include <math.h>
 #include <stdio.h>
@@ -44,13 +45,14 @@ static void group_begin(tr_group *g) {
     g->n = 0;
 }
 
-/* Appends contact (a, b); *old walks the old list, which is sorted like the new one. */
-static void group_append(tr_world *world, tr_group *g, int a, int b, int *old) {
+/* Appends contact (a, b), in a cell with that image of b; *old walks the old list, which is sorted like the new one. */
+static void group_append(tr_world *world, tr_group *g, int a, int b, const double *image, int *old) {
     int i = g->n++;
     g->a[i] = a, g->b[i] = b;
     tr_pair_bodies bodies = tr_world_pair(world, g, a, b);
     g->pair[0][i] = bodies.R1, g->pair[1][i] = bodies.R2;
     g->pair[2][i] = g->walls ? 1 : bodies.R1 / (bodies.R1 + bodies.R2);
+    for (int k = 0; k < 2 && !g->walls && world->cell.side[0] > 0; k++) g->pair[3 + k][i] = image[k];
     while (*old < g->old_n && (g->old_a[*old] < a || (g->old_a[*old] == a && g->old_b[*old] < b))) ++*old;
     bool known = *old < g->old_n && g->old_a[*old] == a && g->old_b[*old] == b;
     for (int k = 0; k < g->n_hist; k++) g->hist[k][i] = known ? g->old_hist[k][*old] : 0;
@@ -91,7 +93,9 @@ static double largest_move(const tr_disks *d, const double *ref) {
 }
 
 static bool search(tr_world *world, tr_status *st) {
-    tr_broad_input input = {world->disks.n, world->disks.pos, world->wide_skin};
+    const double *cell = world->cell.side[0] > 0 ? world->cell.side : NULL;
+    tr_broad_input input = {world->disks.n, world->disks.pos, world->wide_skin, cell};
+    world->cell.moved[1] = 0;
     copy_centres(&world->disks, world->wide_ref);
     world->searches++;
     return world->broad->find(world->finder, &input, &world->near, st);
@@ -107,7 +111,7 @@ static bool refresh_walls(tr_world *world, tr_status *st) {
             const double *pos = world->disks.pos + 4 * (size_t)i;
             if (tr_contacts_wall_distance(&world->wall[w], pos) - pos[3] >= world->thin_skin) continue;
             if (!tr_contacts_reserve(g, g->n + 1, st)) return false;
-            group_append(world, g, w, i, &old);
+            group_append(world, g, w, i, NULL, &old);
         }
     return true;
 }
@@ -120,8 +124,8 @@ static bool refresh_disks(tr_world *world, tr_status *st) {
     for (int i = 0; i < world->near.n; i++) {
         int a = world->near.a[i], b = world->near.b[i];
         const double *p = world->disks.pos + 4 * (size_t)a, *q = world->disks.pos + 4 * (size_t)b;
-        double dx = q[0] - p[0], dy = q[1] - p[1], reach = p[3] + q[3] + world->thin_skin;
-        if (dx * dx + dy * dy < reach * reach) group_append(world, g, a, b, &old);
+        double image[2], reach = p[3] + q[3] + world->thin_skin;
+        if (tr_cell_distance(&world->cell, p, q, image) < reach) group_append(world, g, a, b, image, &old);
     }
     for (int k = 0; k < BEHIND && g->capacity; k++) g->a[g->n + k] = g->b[g->n + k] = 0;
     return true;
@@ -158,7 +162,7 @@ static bool check_contacts(const tr_world *world, tr_status *st) {
                 delta = R - tr_contacts_wall_distance(&world->wall[g->a[i]], q);
             } else {
                 const double *p = world->disks.pos + 4 * (size_t)g->a[i];
-                delta = p[3] + q[3] - sqrt((q[0] - p[0]) * (q[0] - p[0]) + (q[1] - p[1]) * (q[1] - p[1]));
+                delta = p[3] + q[3] - tr_cell_distance(&world->cell, p, q, NULL);
                 R = fmin(R, p[3]);
             }
             if (delta > TR_LARGEST_OVERLAP * R) {
@@ -194,15 +198,17 @@ static bool check_leap(const tr_world *world, tr_status *st) {
 
 bool tr_contacts_refresh(tr_world *world, tr_status *st) {
     if (!check_finite(world, st) || !check_leap(world, st)) return false;
-    double moved = largest_move(&world->disks, world->wide_ref);
-    bool enough = world->searches > 0 && world->near.n && 2 * moved + world->thin_skin <= world->wide_skin;
+    if (!tr_cell_check(world, st)) return false;
+    tr_cell_wrap(world);
+    double moved = 2 * largest_move(&world->disks, world->wide_ref) + world->cell.moved[1];
+    bool enough = world->searches > 0 && world->near.n && moved + world->thin_skin <= world->wide_skin;
     if (!enough && !search(world, st)) return false;
     if (!refresh_disks(world, st) || !refresh_walls(world, st)) return false;
     int *z = world->disks.coordination; /* which check_contacts counts anew */
     count_listed(world, z);
     for (int k = 0; k < 2; k++) group_constants(world, &world->group[k], z);
     copy_centres(&world->disks, world->thin_ref);
-    world->wall_moved = 0;
+    world->wall_moved = world->cell.moved[0] = 0;
     world->stale = false;
     world->refreshes++;
     return check_contacts(world, st);

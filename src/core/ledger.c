@@ -2,6 +2,7 @@
 #include "core/ledger.h"
 
 #include "base/vector.h"
+#include "core/cell.h"
 #include <math.h>
 #include <string.h>
 
@@ -115,6 +116,7 @@ void tr_ledger_attach(tr_group *group, tr_ledger *ledger) {
 static void remember_walls(tr_world *world) {
     for (int w = 0; w < world->n_walls; w++)
         world->ledger->wall_fx[w] = world->wall[w].fx, world->ledger->wall_fy[w] = world->wall[w].fy;
+    for (int k = 0; k < 2; k++) world->ledger->cell_force[k] = tr_cell_force(&world->cell, k);
 }
 
 void tr_ledger_begin(tr_world *world) {
@@ -132,6 +134,10 @@ void tr_ledger_walls(tr_world *world) {
         ledger->work -=
             0.5 * world->dt * ((ledger->wall_fx[w] + wall->fx) * wall->vx + (ledger->wall_fy[w] + wall->fy) * wall->vy);
     }
+    for (int k = 0; k < 2 && world->cell.side[0] > 0; k++)
+        ledger->work -=
+            0.5 * world->dt * world->cell.rate[k] * (ledger->cell_force[k] + tr_cell_force(&world->cell, k)) +
+            tr_cell_kinetic_work(world, k);
     remember_walls(world);
 }
 
@@ -148,10 +154,13 @@ tr_energy tr_ledger_read(const tr_world *world) {
     const tr_disks *d = &world->disks;
     tr_energy e = {
         .damped = ledger->damped, .friction = ledger->friction, .rolling = ledger->rolling, .work = ledger->work};
-    /* K = ½ m v^(n-1/2) v^(n+1/2), the latter = v + dt F/m */
+    /* K = ½ m v^(n-1/2) v^(n+1/2), the latter = v + dt F/m; in a cell v is relative to its homogeneous flow */
+    const double flow[3] = {tr_cell_strain_rate(&world->cell, 0), tr_cell_strain_rate(&world->cell, 1), 0};
     for (int i = 0; i < d->n; i++)
-        for (int k = 4 * i; k < 4 * i + 3; k++)
-            if (d->inv[k] > 0) e.kinetic += 0.5 * d->vel[k] * (d->vel[k] / d->inv[k] + world->dt * d->force[k]);
+        for (int lane = 0, k = 4 * i; lane < 3; lane++, k++) {
+            double v = d->vel[k] - flow[lane] * d->pos[k];
+            if (d->inv[k] > 0) e.kinetic += 0.5 * v * (v / d->inv[k] + world->dt * d->force[k]);
+        }
     for (int k = 0; k < 2; k++) {
         const tr_group *g = &world->group[k];
         e.elastic_normal += stored(g, TR_NORMAL, E_NORMAL);

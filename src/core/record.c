@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "core/arcs.h"
+#include "core/cell.h"
 #include "core/step.h"
 #include <assert.h>
 #include <math.h>
@@ -43,8 +44,8 @@ static void collect(void *context, tr_group *g, tr_tile *tile) {
         out[j] = (tr_record){
             .a = g->walls ? -1 - a : a,
             .b = b,
-            .x = q[0] - tile->r2[i] * tile->nx[i],
-            .y = q[1] - tile->r2[i] * tile->ny[i],
+            .x = q[0] + tr_cell_offset(&c->world->cell, g, tile->first + i, 0) - tile->r2[i] * tile->nx[i],
+            .y = q[1] + tr_cell_offset(&c->world->cell, g, tile->first + i, 1) - tile->r2[i] * tile->ny[i],
             .nx = tile->nx[i],
             .ny = tile->ny[i],
             .R1 = tile->R1[i],

@@ -12,7 +12,7 @@ static const double LOOSE_FRACTION =
 /* Cells as wide as the largest disk, each the head of a chain of disks: neighbours are in the 3 x 3 cells around. */
 typedef struct grid {
     int cells, *head, *next;
-    double width;
+    double width, side; /* side: of a periodic box, else 0 */
 } grid;
 
 static int cell_of(const grid *g, double v) {
@@ -22,16 +22,22 @@ static int cell_of(const grid *g, double v) {
 
 static bool is_free(const grid *g, const double *pos, double x, double y, double R) {
     int cx = cell_of(g, x), cy = cell_of(g, y);
-    for (int j = cy > 0 ? cy - 1 : 0; j <= cy + 1 && j < g->cells; j++)
-        for (int i = cx > 0 ? cx - 1 : 0; i <= cx + 1 && i < g->cells; i++)
-            for (int k = g->head[j * g->cells + i]; k >= 0; k = g->next[k]) {
+    for (int j = cy - 1; j <= cy + 1; j++)
+        for (int i = cx - 1; i <= cx + 1; i++) {
+            bool inside = i >= 0 && i < g->cells && j >= 0 && j < g->cells;
+            if (!inside && !(g->side > 0)) continue;
+            int cell = (j + g->cells) % g->cells * g->cells + (i + g->cells) % g->cells;
+            for (int k = g->head[cell]; k >= 0; k = g->next[k]) {
                 double dx = pos[4 * (size_t)k] - x, dy = pos[4 * (size_t)k + 1] - y, reach = pos[4 * (size_t)k + 3] + R;
+                if (g->side > 0) dx -= g->side * rint(dx / g->side), dy -= g->side * rint(dy / g->side);
                 if (dx * dx + dy * dy < reach * reach) return false;
             }
+        }
     return true;
 }
 
-bool tr_sample_throw(tr_world *world, const tr_scene_sample *sample, uint64_t seed, double *side, tr_status *st) {
+bool tr_sample_throw(tr_world *world, const tr_scene_sample *sample, bool periodic, uint64_t seed, double *side,
+                     tr_status *st) {
     tr_random random = tr_random_seed(seed, 1);
     int n = sample->disks;
     double *radius = tr_alloc((size_t)n, sizeof *radius, st), area = 0;
@@ -43,17 +49,17 @@ bool tr_sample_throw(tr_world *world, const tr_scene_sample *sample, uint64_t se
     double L = *side = fmax(sqrt(area / LOOSE_FRACTION), 4 * sample->r_max);
     grid g = {.cells = (int)fmax(1, fmin(L / (2 * sample->r_max), 20000)),
               .next = tr_alloc((size_t)n, sizeof(int), st)};
-    g.width = L / g.cells;
+    g.width = L / g.cells, g.side = periodic ? L : 0;
     size_t cells = (size_t)g.cells * (size_t)g.cells;
     g.head = tr_alloc(cells, sizeof(int), st);
     bool ok = g.head && g.next;
     for (size_t c = 0; ok && c < cells; c++) g.head[c] = -1;
     for (int i = 0; ok && i < n; i++) {
-        double R = radius[i], x, y;
+        double R = radius[i], edge = periodic ? 0 : R, x, y;
         int64_t tries = 0;
         do {
-            x = R + (L - 2 * R) * tr_random_uniform(&random);
-            y = R + (L - 2 * R) * tr_random_uniform(&random);
+            x = edge + (L - 2 * edge) * tr_random_uniform(&random);
+            y = edge + (L - 2 * edge) * tr_random_uniform(&random);
             ok = ++tries < 10000000;
         } while (ok && !is_free(&g, world->disks.pos, x, y, R));
         if (!ok)

@@ -8,6 +8,7 @@
 
 /* Fills a fresh world of sample->disks disks at rest, radii uniform in [r_min, r_max], in the box [0, *side]^2 of solid
  * fraction 0.4, by random sequential addition. */
-bool tr_sample_throw(tr_world *world, const tr_scene_sample *sample, uint64_t seed, double *side, tr_status *st);
+bool tr_sample_throw(tr_world *world, const tr_scene_sample *sample, bool periodic, uint64_t seed, double *side,
+                     tr_status *st);
 
 #endif

@@ -2,6 +2,7 @@
 #include "core/step.h"
 
 #include "base/vector.h"
+#include "core/cell.h"
 #include "core/contacts.h"
 #include <math.h>
 #include <string.h>
@@ -81,6 +82,7 @@ static void run_passes(tr_world *world, tr_group *g, int first, double dt) {
         gather_walls(tile, g, &world->disks, world->wall);
     else
         gather_disks(tile, g, &world->disks);
+    if (!g->walls && world->cell.side[0] > 0) tr_cell_shift(&world->cell, g, tile);
     for (int k = 0; k < g->n_pass; k++) g->pass[k].run(tile, &g->pass[k].data);
 }
 
@@ -103,6 +105,7 @@ static void group_forces(tr_world *world, tr_group *g, double dt) {
             scatter_walls(world->tile, g, &world->disks, world->wall);
         else
             scatter_disks(world->tile, g, &world->disks);
+        if (!g->walls && world->cell.side[0] > 0) tr_cell_add_virial(&world->cell, world->tile);
     }
 }
 
@@ -114,6 +117,7 @@ bool tr_step_forces(tr_world *world, tr_status *st) {
     else
         memset(d->force, 0, (size_t)d->n * 4 * sizeof *d->force);
     for (int w = 0; w < world->n_walls; w++) world->wall[w].fx = world->wall[w].fy = 0;
+    world->cell.virial[0] = world->cell.virial[1] = 0;
     double dt = world->fresh ? 0 : world->dt;
     group_forces(world, &world->group[0], dt);
     group_forces(world, &world->group[1], dt);
@@ -160,9 +164,11 @@ static void move_walls(tr_world *world) {
 
 void tr_step_advance(tr_world *world) {
     const tr_disks *d = &world->disks;
+    if (world->cell.side[0] > 0) tr_cell_advance(world);
     kick_and_drift(4 * d->n, world->dt, d->pos, d->vel, d->force, d->inv);
     move_walls(world);
     world->steps++;
-    double reach = world->thin_skin / 2; /* two bodies that approach each other move half the skin each */
-    if (count_moved(d->n, reach, d->pos, world->thin_ref) || !(world->wall_moved <= reach)) world->stale = true;
+    /* Two bodies that approach each other move half the skin each, less what the image of one has moved besides. */
+    double reach = (world->thin_skin - world->cell.moved[0]) / 2;
+    if (!(reach >= world->wall_moved) || count_moved(d->n, reach, d->pos, world->thin_ref)) world->stale = true;
 }

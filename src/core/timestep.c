@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "core/timestep.h"
 
+#include "core/cell.h"
 #include "core/contacts.h"
 #include <math.h>
 #include <string.h>
@@ -39,8 +40,7 @@ static double overlap(const tr_world *world, const tr_group *g, int i) {
     const double *q = world->disks.pos + 4 * (size_t)g->b[i];
     if (g->walls) return q[3] - tr_contacts_wall_distance(&world->wall[g->a[i]], q);
     const double *p = world->disks.pos + 4 * (size_t)g->a[i];
-    double dx = q[0] - p[0], dy = q[1] - p[1];
-    return p[3] + q[3] - sqrt(dx * dx + dy * dy);
+    return p[3] + q[3] - tr_cell_distance(&world->cell, p, q, NULL);
 }
 
 tr_timestep_limit tr_timestep_contacts(const tr_world *world) {

@@ -83,10 +83,10 @@ void tr_group_attach(tr_group *group, tr_sink *sink, const char *name, tr_pass_r
 
 /* The list of passes a scene asked for: what it leaves out is not there. */
 static void group_choose(tr_group *g, const tr_scene_contact *contact, bool normal_only, int rolling_velocity,
-                         tr_shape shape) {
+                         tr_shape shape, bool images) {
     group_free(g);
     g->shape = shape;
-    g->n_pair = 3;
+    g->n_pair = images ? 5 : 3;
     group_take(g, TR_NORMAL, tr_laws_normal[contact->normal.law], &contact->normal);
     group_take(g, TR_FRICTION, normal_only ? &tr_friction_none : tr_laws_friction[contact->friction.law],
                &contact->friction);
@@ -123,12 +123,14 @@ bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool sm
     if (sinks & TR_SINK_LEDGER && !(world->ledger = tr_alloc(1, sizeof *world->ledger, st))) return false;
     for (int k = 0; k < 2; k++) {
         tr_group *g = &world->group[k];
-        group_choose(g, contact, g->walls && smooth_walls, contact->rolling_velocity, world->shape);
+        group_choose(g, contact, g->walls && smooth_walls, contact->rolling_velocity, world->shape,
+                     !g->walls && world->cell.side[0] > 0);
         if (sinks & TR_SINK_LEDGER) tr_ledger_attach(g, world->ledger);
         if (sinks & TR_SINK_ARCS) tr_arcs_attach(g);
     }
     if (world->finder) world->broad->destroy(world->finder);
-    world->finder = world->broad->create(&(tr_broad_input){world->disks.n, world->disks.pos, world->wide_skin}, st);
+    world->finder =
+        world->broad->create(&(tr_broad_input){world->disks.n, world->disks.pos, world->wide_skin, NULL}, st);
     return world->finder != NULL;
 }
 

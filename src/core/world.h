@@ -16,6 +16,8 @@
  * TIME. Leapfrog: at time n*dt positions are x^n and velocities v^(n-1/2). tr_step_forces makes the forces of time n,
  * which is where sinks look; tr_step_advance kicks to v^(n+1/2) and drifts to x^(n+1).
  *
+ * PERIODIC CELL. Where there is one, disk b of a pair stands for its nearest image; see cell.h.
+ *
  * Two worlds may run side by side: there are no globals. A step allocates nothing, except when a refresh finds more
  * contacts than ever before.
  */
@@ -32,7 +34,7 @@ enum {
     TR_MAX_WALLS = 128,
     TR_MAX_VELOCITY_MEASURES = 8,
     TR_GROUP_HIST = 3 * TR_MAX_HIST + 9, /* laws of three slots, and the sinks */
-    TR_GROUP_PAIR = 3 + 3 * TR_MAX_PAIR  /* R1, R2, g1, and the laws of three slots */
+    TR_GROUP_PAIR = 5 + 3 * TR_MAX_PAIR /* R1, R2, g1, the image of b in a periodic cell, and the laws of three slots */
 };
 
 typedef struct tr_disks {
@@ -53,6 +55,18 @@ typedef struct tr_wall {
     double fx, fy;       /* force of the disks on the wall [N/m] */
     double length;       /* [m] stress = force/length; 0: endless */
 } tr_wall;
+
+/* A periodic cell, a rectangle about the origin; index 0 along x, 1 along y. Of its pair of edges across an axis what a
+ * tr_wall is of one. See cell.h. */
+typedef struct tr_periodic_cell {
+    double side[2];   /* [m]; 0: there is no cell */
+    double rate[2];   /* d side/dt [m/s] */
+    double mass[2];   /* of the piston [kg/m]; 0: the side changes as it is told */
+    double load[2];   /* what pushes the piston inward [N/m] */
+    double v_max[2];  /* largest |rate| of a piston [m/s] */
+    double virial[2]; /* sum over the contacts of force on b times (b - a), compression positive [N] */
+    double moved[2];  /* how far the images have moved, at most, since the last refresh and since the last search [m] */
+} tr_periodic_cell;
 
 /* A law at work: its row, its parameters, and where its arrays start in the group. law->step == NULL: nothing to do. */
 typedef struct tr_slot {
@@ -92,7 +106,8 @@ struct tr_group {
     int *a, *b;
     int n_hist, n_pair;
     double *hist[TR_GROUP_HIST];
-    double *pair[TR_GROUP_PAIR]; /* the first three: R1, R2, g1 */
+    double *pair
+        [TR_GROUP_PAIR]; /* the first three: R1, R2, g1; of disks in a cell then the image of b: numbers along x, y */
     tr_slot slot[TR_N_SLOTS];
     tr_sink ledger_sink, arcs_sink, paths_sink; /* group == NULL: not attached */
     tr_pass pass[TR_MAX_PASSES];
@@ -104,9 +119,9 @@ struct tr_group {
 /* Energy by mechanism; see ledger.h. */
 struct tr_ledger {
     double damped, friction, rolling; /* dissipated [N] (J per metre of length) */
-    double work;                      /* done by the walls on the disks [N] */
+    double work;                      /* done by the walls or the cell on the disks [N] */
     double start;                     /* energy of the disks and contacts when the ledger began [N] */
-    double wall_fx[TR_MAX_WALLS], wall_fy[TR_MAX_WALLS]; /* of the step before */
+    double wall_fx[TR_MAX_WALLS], wall_fy[TR_MAX_WALLS], cell_force[2]; /* of the step before */
 };
 
 typedef struct tr_world {
@@ -118,10 +133,11 @@ typedef struct tr_world {
     tr_disks disks;
     tr_wall wall[TR_MAX_WALLS];
     int n_walls;
-    int rolling_velocity; /* index into tr_rolling_velocities */
-    tr_group group[2];    /* disk-disk, wall-disk */
-    tr_ledger *ledger;    /* NULL: not kept */
-    tr_tile *tile;        /* one, reused; allocated apart because its lanes are aligned */
+    tr_periodic_cell cell; /* set before the laws */
+    int rolling_velocity;  /* index into tr_rolling_velocities */
+    tr_group group[2];     /* disk-disk, wall-disk */
+    tr_ledger *ledger;     /* NULL: not kept */
+    tr_tile *tile;         /* one, reused; allocated apart because its lanes are aligned */
     /* pair finding */
     const tr_broad_finder *broad;
     void *finder;

@@ -53,7 +53,7 @@ const unsigned char *tr_canvas_pixels(const tr_canvas *canvas);
 bool tr_canvas_load(tr_canvas *canvas, const char *path, tr_status *st); /* shows what tr_canvas_png has written */
 bool tr_canvas_png(const tr_canvas *canvas, const char *path, tr_status *st);
 
-/* Biaxial test: world->wall is bottom, top, left, right. A wall with mass is drawn as loaded, one without as driven. */
+/* Biaxial test: world->wall is bottom, top, left, right, or there is a periodic cell. A wall or side with mass is drawn as loaded, one without as driven. */
 void tr_draw_biaxial(tr_canvas *canvas, const tr_view *view);
 
 /* ---- films of a few bodies ---- */

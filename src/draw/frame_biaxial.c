@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* A biaxial test: packing, force network over it, walls with what drives them.
+/* A biaxial test: packing, force network over it, walls with what drives them. Of a periodic cell the outline; the images
+ * within a diameter around it are drawn too, and then paled.
  *
  * Where disks are too small for lines over them, and to see how far each has spun, the disks themselves are coloured.
  *
  * Cost is in strokes, so all disks are filled as one path (rims first, then the slightly smaller bodies: two fills cost
  * less than one stroke), and contact lines are quadrilaterals, one path for each of a few dozen colours. */
+#include "core/cell.h"
 #include "draw/frame.h"
 #include "draw/patch_plot.h"
 
@@ -19,23 +21,65 @@ static tr_point disk_point(const tr_view *view, const tr_map *map, int i, double
     return tr_frame_point(map, p[0], p[1]);
 }
 
-static void draw_disks(cairo_t *cr, const tr_view *view, const tr_map *map) {
+/* Disk b, or in a periodic cell its image next to a. */
+static tr_point partner_point(const tr_view *view, const tr_map *map, int a, int b, double *radius) {
+    const double *p = view->world->disks.pos + 4 * a, *q = view->world->disks.pos + 4 * b;
+    double image[2] = {0};
+    const double *side = view->world->cell.side;
+    tr_cell_distance(&view->world->cell, p, q, image);
+    *radius = q[3] * map->scale;
+    return tr_frame_point(map, q[0] + image[0] * side[0], q[1] + image[1] * side[1]);
+}
+
+/* Image 0 is what it is of; a periodic cell has eight more. */
+static int images(const tr_view *view) {
+    return view->world->cell.side[0] > 0 ? 9 : 1;
+}
+
+static tr_point image_point(const tr_view *view, const tr_map *map, tr_point p, int image) {
+    const double *side = view->world->cell.side;
+    int i = (image + 1) % 3 - 1, j = (image / 3 + 1) % 3 - 1;
+    return (tr_point){p.x + i * side[0] * map->scale, p.y - j * side[1] * map->scale};
+}
+
+/* In the picture, and no further out of a cell than its diameter. */
+static bool shown(const tr_view *view, const tr_map *map, tr_point p, double radius) {
+    const double *side = view->world->cell.side;
+    bool near = !(side[0] > 0) || (fabs(p.x - map->x) < 0.5 * side[0] * map->scale + 2 * radius &&
+                                   fabs(p.y - map->y) < 0.5 * side[1] * map->scale + 2 * radius);
+    return near && tr_frame_seen(p, radius);
+}
+
+static void add_disks(cairo_t *cr, const tr_view *view, const tr_map *map, double rim) {
     double r;
-    for (int pass = 0; pass < 2; pass++) {
+    for (int k = 0; k < images(view); k++)
         for (int i = 0; i < view->world->disks.n; i++) {
-            tr_point p = disk_point(view, map, i, &r);
-            if (tr_frame_seen(p, r)) tr_pen_add_disk(cr, p, pass ? fmax(r - 1.2, 0.5 * r) : r);
+            tr_point p = image_point(view, map, disk_point(view, map, i, &r), k);
+            if (shown(view, map, p, r)) tr_pen_add_disk(cr, p, fmax(r - rim, 0.5 * r));
         }
-        tr_pen_hue(cr, pass ? TR_DISK : TR_RIM);
-        cairo_fill(cr);
-    }
-    for (int i = 0; i < view->world->disks.n; i++) { /* the tick that shows rotation */
-        tr_point p = disk_point(view, map, i, &r);
-        double angle = view->world->disks.pos[4 * i + 2], c = cos(angle), s = sin(angle);
-        if (!tr_frame_seen(p, r) || !isfinite(angle)) continue;
-        cairo_move_to(cr, p.x + 0.4 * r * c, p.y - 0.4 * r * s);
-        cairo_line_to(cr, p.x + r * c, p.y - r * s);
-    }
+}
+
+/* That show rotation. */
+static void add_ticks(cairo_t *cr, const tr_view *view, const tr_map *map) {
+    double r;
+    for (int k = 0; k < images(view); k++)
+        for (int i = 0; i < view->world->disks.n; i++) {
+            tr_point p = image_point(view, map, disk_point(view, map, i, &r), k);
+            double angle = view->world->disks.pos[4 * i + 2], c = cos(angle), s = sin(angle);
+            if (!shown(view, map, p, r) || !isfinite(angle)) continue;
+            cairo_move_to(cr, p.x + 0.4 * r * c, p.y - 0.4 * r * s);
+            cairo_line_to(cr, p.x + r * c, p.y - r * s);
+        }
+}
+
+static void draw_disks(cairo_t *cr, const tr_view *view, const tr_map *map) {
+    add_disks(cr, view, map, 0);
+    tr_pen_hue(cr, TR_RIM);
+    cairo_fill(cr);
+    add_disks(cr, view, map, 1.2);
+    tr_pen_hue(cr, TR_DISK);
+    cairo_fill(cr);
+    add_ticks(cr, view, map);
     tr_pen_hue(cr, TR_FAINT);
     cairo_set_line_width(cr, 2.5);
     cairo_stroke(cr);
@@ -65,11 +109,13 @@ static double mean_force(const tr_view *view) {
 }
 
 /* From centre to centre; at a wall from the contact point to the centre. */
-static bool branch(const tr_view *view, const tr_map *map, const tr_record *r, tr_point *p, tr_point *q) {
+static bool branch(const tr_view *view, const tr_map *map, const tr_record *r, int image, tr_point *p, tr_point *q) {
     double rp = 1, rq;
     *p = r->a >= 0 ? disk_point(view, map, r->a, &rp) : tr_frame_point(map, r->x, r->y);
-    *q = disk_point(view, map, r->b, &rq);
-    return tr_frame_seen(*p, rp) && tr_frame_seen(*q, rq);
+    *q = r->a >= 0 ? partner_point(view, map, r->a, r->b, &rq) : disk_point(view, map, r->b, &rq);
+    *p = image_point(view, map, *p, image), *q = image_point(view, map, *q, image);
+    bool seen = tr_frame_seen(*p, rp) && tr_frame_seen(*q, rq);
+    return seen && (shown(view, map, *p, rp) || shown(view, map, *q, rq));
 }
 
 /* Width of a line of mean force: a quarter of the mean radius [px]. */
@@ -82,12 +128,12 @@ static double mean_width(const tr_view *view, const tr_map *map) {
 static void draw_contacts(cairo_t *cr, const tr_view *view, const tr_map *map, double range, double mean) {
     double unit = mean_width(view, map), thinnest = 0.15 * unit, widest = 4 * unit;
     for (int c = 0; c < N_COLORS; c++) {
-        for (int i = 0; i < view->n_records; i++) {
-            const tr_record *r = &view->record[i];
+        for (int k = 0; k < images(view) * view->n_records; k++) {
+            const tr_record *r = &view->record[k % view->n_records];
             double u = tr_frame_field(r, view->color) / range;
             int color = u > 0 ? (u < 1 ? (int)(u * N_COLORS) : N_COLORS - 1) : 0;
             tr_point p, q;
-            if (color != c || !(r->f_n > 0) || !branch(view, map, r, &p, &q)) continue;
+            if (color != c || !(r->f_n > 0) || !branch(view, map, r, k / view->n_records, &p, &q)) continue;
             double length = hypot(q.x - p.x, q.y - p.y);
             double width = fmin(fmax(unit * r->f_n / mean, thinnest), widest);
             if (!(length > 0)) continue;
@@ -106,12 +152,39 @@ static void draw_contacts(cairo_t *cr, const tr_view *view, const tr_map *map, d
     }
 }
 
-/* Bars along the box that the four walls make; a loaded wall gets a row of pressure arrows, a driven one an arrow its
+/* What the view shows outside the cell. */
+static void pale(cairo_t *cr, const tr_view *view, const tr_map *map) {
+    const double *side = view->world->cell.side;
+    double w = side[0] * map->scale, h = side[1] * map->scale;
+    cairo_rectangle(cr, map->left, map->top, map->width, map->height);
+    cairo_rectangle(cr, map->x - w / 2, map->y - h / 2, w, h);
+    cairo_set_fill_rule(cr, CAIRO_FILL_RULE_EVEN_ODD);
+    cairo_set_source_rgba(cr, 1, 1, 1, 0.75);
+    cairo_fill(cr);
+    cairo_set_fill_rule(cr, CAIRO_FILL_RULE_WINDING);
+}
+
+/* The sides of a cell, each half of what its two have in common. */
+static void walls_of_cell(const tr_periodic_cell *cell, tr_wall wall[4]) {
+    for (int w = 0; w < 4; w++) {
+        int axis = w < 2, out = w % 2 ? 1 : -1;
+        double at = 0.5 * out * cell->side[axis], v = 0.5 * out * cell->rate[axis];
+        wall[w] = axis ? (tr_wall){.y = at, .ny = -out, .vy = v} : (tr_wall){.x = at, .nx = -out, .vx = v};
+        wall[w].mass = cell->mass[axis];
+    }
+}
+
+/* Bars along the box that the four walls make, thin ones of a cell; a loaded wall gets a row of pressure arrows, a driven one an arrow its
  * way. */
 static void draw_walls(cairo_t *cr, const tr_view *view, const tr_map *map) {
+    tr_wall made[4];
     const tr_wall *wall = view->world->wall;
-    const double bar = 10;
-    if (view->world->n_walls < 4) return;
+    const bool cell = view->world->cell.side[0] > 0;
+    const double bar = cell ? 3 : 10;
+    if (cell)
+        walls_of_cell(&view->world->cell, made), wall = made;
+    else if (view->world->n_walls < 4)
+        return;
     tr_point low = tr_frame_point(map, wall[2].x, wall[0].y), high = tr_frame_point(map, wall[3].x, wall[1].y);
     if (!tr_frame_seen(low, 1) || !tr_frame_seen(high, 1)) return;
     tr_point corner[4][2] = {
@@ -162,7 +235,8 @@ static void draw_width_key(cairo_t *cr, tr_shape shape, double mean, double widt
 /* In the panel, where it covers no disk, from top to bottom; a line leads to its contact while there is one. */
 static void draw_inset(cairo_t *cr, const tr_view *view, const tr_map *map, double top, double bottom) {
     double r1, r2;
-    tr_point p = disk_point(view, map, view->inset_a, &r1), q = disk_point(view, map, view->inset_b, &r2);
+    tr_point p = disk_point(view, map, view->inset_a, &r1),
+             q = partner_point(view, map, view->inset_a, view->inset_b, &r2);
     double part = r1 / (r1 + r2), ring = 0.5 * fmin(r1, r2);
     tr_point at = {p.x + part * (q.x - p.x), p.y + part * (q.y - p.y)}, to = {TR_PANEL_X - 12, 0.5 * (top + bottom)};
     char label[64];
@@ -189,12 +263,16 @@ void tr_draw_biaxial(tr_canvas *canvas, const tr_view *view) {
     y = TR_FRAME_HEIGHT - TR_EDGE - 72;
     draw_color_bar(cr, view, range, y);
     if (map.scale == 0) return;
+    cairo_save(cr);
+    if (images(view) > 1) cairo_rectangle(cr, map.left, map.top, map.width, map.height), cairo_clip(cr);
     if (view->fill)
         draw_field(cr, view, &map, range);
     else
         draw_disks(cr, view, &map);
     bool forces = !view->fill && mean > 0 && isfinite(mean);
     if (forces) draw_contacts(cr, view, &map, range, mean);
+    if (images(view) > 1) pale(cr, view, &map);
+    cairo_restore(cr);
     draw_walls(cr, view, &map);
     if (view->inset) draw_inset(cr, view, &map, panel, y - 88);
     if (forces) draw_width_key(cr, view->world->shape, mean, mean_width(view, &map), y - 52);

@@ -121,7 +121,8 @@ char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, 
     add_by_shape(o, scene->shape, "mean_mass_kg_per_m|mean_mass_kg", b->mean_mass);
     add(o, "strain_rate_per_s", b->rate);
     json_object_set_new(o, "servo", json_string("piston: M dv/dt = pressure*length - force"));
-    add_by_shape(o, scene->shape, "servo_mass_kg_per_m|servo_mass_kg", b->world.wall[TR_LEFT_WALL].mass);
+    add_by_shape(o, scene->shape, "servo_mass_kg_per_m|servo_mass_kg",
+                 b->world.n_walls ? b->world.wall[TR_LEFT_WALL].mass : b->world.cell.mass[0]);
     json_object_set_new(o, "start_of_shear", json_string("velocities after compaction, contact histories zero"));
     add(o, "dt_s", b->world.dt);
     add(o, "dt_bound_s", b->dt_bound);

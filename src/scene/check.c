@@ -159,7 +159,7 @@ static bool check_patch(const checker *c) {
 /* Walls and disks that a key names. */
 static bool check_picks(const checker *c, const tr_scope *s, const char *key, const tr_scene_picks *picks) {
     const tr_scene *scene = c->scene;
-    int walls = scene->kind == TR_KIND_BIAXIAL ? 4 : scene->n_walls;
+    int walls = scene->kind == TR_KIND_BIAXIAL ? (scene->boundary == TR_PERIODIC ? 0 : 4) : scene->n_walls;
     int disks = scene->kind == TR_KIND_BIAXIAL ? scene->sample.disks : scene->n_disks;
     const tr_entry *e = tr_resolve_entry(s, key);
     if (!e) return true; /* not for this kind of case, not with this choice */
@@ -170,6 +170,17 @@ static bool check_picks(const checker *c, const tr_scope *s, const char *key, co
         return tr_text_fail(c->r->st, node->mark, "there is no contact `%s`: disks count from 0 to %d, walls are %d",
                             node->text, disks - 1, walls);
     }
+    return true;
+}
+
+/* What only walls, only a periodic cell has. */
+static bool check_boundary(const checker *c, const tr_scope *s) {
+    const tr_scene *scene = c->scene;
+    if (scene->boundary == TR_PERIODIC && scene->shear.walls)
+        return tr_text_fail(c->r->st, mark_in(s, "walls"), "`boundary: periodic` has no walls to be rough");
+    if (scene->boundary == TR_WALLS && scene->shear.hold)
+        return tr_text_fail(c->r->st, mark_in(s, "hold"),
+                            "the lateral walls hold their own pressure: `hold: mean` takes `boundary: periodic`");
     return true;
 }
 
@@ -225,6 +236,7 @@ bool tr_check_together(const tr_resolver *r, tr_scene *scene) {
         const tr_scope *s = &c->r->scopes[i];
         const tr_scene_sample *sample = &c->scene->sample;
         if (strcmp(s->section, "contact") == 0 && !check_laws(c, s, &c->scene->contact)) return false;
+        if (strcmp(s->section, "shear") == 0 && !check_boundary(c, s)) return false;
         if (strcmp(s->section, "output") == 0 && !check_output(c, s)) return false;
         if (strcmp(s->section, "disks") == 0 && !check_disk(c, s)) return false;
         if (strcmp(s->section, "checks") == 0 && !check_check(c, s)) return false;

@@ -29,6 +29,9 @@ typedef struct tr_scene_contact {
     int rolling_velocity; /* index into the catalog's rolling_velocities */
 } tr_scene_contact;
 
+typedef enum tr_boundary { TR_WALLS, TR_PERIODIC } tr_boundary; /* in the order of the choices of `boundary:` */
+typedef enum tr_hold { TR_HOLD_LATERAL, TR_HOLD_MEAN } tr_hold; /* and of `hold:` */
+
 typedef struct tr_scene_sample {
     int disks;
     double r_min, r_max; /* [m] radii uniform between */
@@ -43,7 +46,8 @@ typedef struct tr_scene_compaction {
 } tr_scene_compaction;
 
 typedef struct tr_scene_shear {
-    double lateral_pressure; /* [Pa] on the two lateral walls */
+    double lateral_pressure; /* [Pa] on the two lateral walls; of a periodic cell what `hold` says */
+    int hold;                /* tr_hold: which stress of a periodic cell that is */
     double inertial_number;  /* I = rate sqrt(mean disk mass per metre / lateral_pressure) [1] */
     double strain_end;       /* axial strain, compression positive [1] */
     int walls;               /* 0 smooth: normal force only; 1 rough: the laws of the disks */
@@ -197,6 +201,7 @@ typedef struct tr_scene {
     tr_scene_step step;
     tr_scene_output output;
     /* kind: biaxial */
+    int boundary; /* tr_boundary */
     tr_scene_sample sample;
     tr_scene_compaction compaction;
     tr_scene_shear shear;

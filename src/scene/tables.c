@@ -24,6 +24,8 @@ static const tr_param root[] = {
 static const tr_param root_biaxial[] = {
     {"seed", TR_SEED, TR_DIM_NUMBER, "", "1", 0, 0, NULL, AT(seed),
      "start of the random numbers: same seed, same sample"},
+    {"boundary", TR_CHOICE, TR_DIM_NUMBER, "", "walls", 0, 0, "walls|periodic", AT(boundary),
+     "four walls around the sample, or a periodic cell"},
 };
 static const tr_param root_bodies[] = {
     {"time_end", TR_REAL, TR_DIM_TIME, "s", NULL, 1e-12, 1e6, NULL, AT(time_end), "time that the run covers"},
@@ -107,7 +109,7 @@ static const tr_param compaction[] = {
     {"mu", TR_REAL, TR_DIM_NUMBER, "1", "0", 0, 10, NULL, AT(mu),
      "friction coefficient while compacting; 0 packs densest"},
     {"inertial_number", TR_REAL, TR_DIM_NUMBER, "1", "1e-2", 1e-9, 1, NULL, AT(inertial_number),
-     "largest speed of the walls, as an inertial number"},
+     "largest speed of walls or sides, as an inertial number"},
     {"unbalanced", TR_REAL, TR_DIM_NUMBER, "1", "1e-4", 1e-12, 0.1, NULL, AT(unbalanced),
      "compacted when mean net force / mean contact force is below"},
 };
@@ -116,7 +118,9 @@ static const tr_param compaction[] = {
 #define STRUCT tr_scene_shear
 static const tr_param shear[] = {
     {"lateral_pressure", TR_REAL, TR_DIM_STRESS, "Pa|N/m", "compaction.pressure", 1e-3, 1e12, NULL,
-     AT(lateral_pressure), "pressure on the two lateral walls"},
+     AT(lateral_pressure), "pressure on the two lateral walls; of a periodic cell the stress that is held"},
+    {"hold", TR_CHOICE, TR_DIM_NUMBER, "", "lateral", 0, 0, "lateral|mean", AT(hold),
+     "which stress of a periodic cell lateral_pressure is: lateral, or mean (s1 + s2)/2"},
     {"inertial_number", TR_REAL, TR_DIM_NUMBER, "1", "1e-3", 1e-9, 1, NULL, AT(inertial_number),
      "I = strain rate sqrt(mean disk mass / lateral_pressure); below 1e-3 quasi-static"},
     {"strain_end", TR_REAL, TR_DIM_NUMBER, "1", "0.20", 1e-9, 0.5, NULL, AT(strain_end),
@@ -326,8 +330,9 @@ const tr_section tr_sections[] = {
     SECTION("sample", "disks before compaction", TR_FOR_BIAXIAL, sample, .offset = AT(sample)),
     SECTION("contact", "what two disks do to each other", TR_FOR_WORLDS, contact, .offset = AT(contact),
             .first_slot = 1),
-    SECTION("compaction", "isotropic, between four smooth walls", TR_FOR_BIAXIAL, compaction, .offset = AT(compaction)),
-    SECTION("shear", "top and bottom wall approach, lateral walls hold their pressure", TR_FOR_BIAXIAL, shear,
+    SECTION("compaction", "isotropic, between four smooth walls or in a periodic cell", TR_FOR_BIAXIAL, compaction,
+            .offset = AT(compaction)),
+    SECTION("shear", "top and bottom approach, the lateral sides hold their pressure", TR_FOR_BIAXIAL, shear,
             .offset = AT(shear)),
     SECTION("gravity", "", TR_FOR_BODIES, gravity, .offset = AT(gravity)),
     SECTION("step", "time step", TR_FOR_BODIES, step_bodies, .offset = AT(step)),

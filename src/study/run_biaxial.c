@@ -31,8 +31,8 @@ typedef struct test {
     bool shearing;        /* compaction is over */
     tr_checkpoint resume; /* loading: where to go on; used up when the run is there */
     double saved;         /* when the last checkpoint was made [s] */
-    double e0, unbalanced, stress_2_sum;
-    int stress_2_n;
+    double e0, unbalanced, stress_1_sum, stress_2_sum;
+    int stress_n;
     tr_biaxial_state state; /* of the last row */
     tr_energy energy;
 } test;
@@ -54,8 +54,9 @@ static void keep_rest(test *t, tr_checkpoint *c) {
     TR_KEEP(c, &t->view.x1, 1);
     TR_KEEP(c, &t->view.y0, 1);
     TR_KEEP(c, &t->view.y1, 1);
+    TR_KEEP(c, &t->stress_1_sum, 1);
     TR_KEEP(c, &t->stress_2_sum, 1);
-    TR_KEEP(c, &t->stress_2_n, 1);
+    TR_KEEP(c, &t->stress_n, 1);
     TR_KEEP(c, &t->state, 1);
     TR_KEEP(c, &t->series.n, 1);
     TR_KEEP(c, t->series.strain, t->series.n);
@@ -130,9 +131,12 @@ static double law_value(const tr_slot *slot, const char *key) {
 
 tr_view tr_run_biaxial_view(const tr_biaxial *b, char title[TR_RUN_TITLE]) {
     const tr_wall *w = b->world.wall;
+    tr_biaxial_state box;
+    tr_biaxial_shape(b, &box);
     const tr_scene_sample *sample = &b->scene->sample;
     tr_color color = (tr_color)b->scene->output.color;
-    double width = w[TR_RIGHT_WALL].x - w[TR_LEFT_WALL].x, centre = 0.5 * (w[TR_RIGHT_WALL].x + w[TR_LEFT_WALL].x);
+    double width = box.width, centre = 0.5 * (w[TR_RIGHT_WALL].x + w[TR_LEFT_WALL].x);
+    double bottom = b->world.n_walls ? w[TR_BOTTOM_WALL].y : -0.5 * box.height;
     double spread = 0.5 * width * 1.1 / (1 - b->scene->shear.strain_end); /* volume kept, and a tenth of dilation */
     double arrows = 0.08 * width;                                         /* room for those of the driven walls */
     double d = sample->r_min + sample->r_max, speed = 4 * b->rate * d;
@@ -150,8 +154,8 @@ tr_view tr_run_biaxial_view(const tr_biaxial *b, char title[TR_RUN_TITLE]) {
         .f_mean = 1.5 * b->scene->shear.lateral_pressure * d,
         .x0 = centre - spread,
         .x1 = centre + spread,
-        .y0 = w[TR_BOTTOM_WALL].y - arrows,
-        .y1 = w[TR_TOP_WALL].y + arrows,
+        .y0 = bottom - arrows,
+        .y1 = bottom + box.height + arrows,
         .time_end = (double)b->shear_steps * b->world.dt,
     };
 }
@@ -187,7 +191,7 @@ static bool row(test *t, const tr_measures *m, tr_status *st) {
     t->series.rolling_share[t->series.n] = m->rolling_share;
     t->series.opposed_fraction[t->series.n++] = m->opposed_fraction;
     bool early = t->state.strain <= fmin(0.01, 0.5 * t->scene->shear.strain_end);
-    if (!early) t->stress_2_sum += t->state.stress_2, t->stress_2_n++;
+    if (!early) t->stress_1_sum += t->state.stress_1, t->stress_2_sum += t->state.stress_2, t->stress_n++;
     tr_row_biaxial(&cells, &t->state, m, energy ? &t->energy : NULL);
     return tr_outputs_row(&t->out, &cells, st);
 }
@@ -309,7 +313,9 @@ static void report(test *t, const tr_strength *s, const tr_timing *timing) {
     tr_run_say(r, "void ratio, residual", "%.4f", s->e_residual);
     tr_run_say(r, "rolling share, residual", "%.3f", s->rolling_share);
     tr_run_say(r, "contacts with s1 s2 < 0", "%.1f %%, residual", 100 * s->opposed_fraction);
-    tr_run_say(r, "lateral stress", "%.4g %s, asked %.4g", t->stress_2_sum / t->stress_2_n,
+    bool mean = t->scene->shear.hold == TR_HOLD_MEAN;
+    double held = mean ? 0.5 * (t->stress_1_sum + t->stress_2_sum) : t->stress_2_sum;
+    tr_run_say(r, mean ? "mean stress" : "lateral stress", "%.4g %s, asked %.4g", held / t->stress_n,
                t->scene->shape == TR_SHAPE_SPHERE ? "N/m" : "Pa", t->scene->shear.lateral_pressure);
     if (t->b.world.ledger) tr_run_say(r, "energy residual/work", "%.1e", t->energy.residual / t->energy.work);
     tr_run_say(r, "time step", "%.3g s, bound %.3g s", t->b.world.dt, t->b.dt_bound);
@@ -335,7 +341,7 @@ static bool summarise(test *t, double started, double updates_per_s, tr_status *
     else if (code)
         tr_run_note(t->report, "no curves: gnuplot failed (%d) on plot.gp; run it there to see why", code);
     tr_timing timing = {tr_run_clock() - started, updates_per_s};
-    char *text = tr_summary_biaxial(scene, &t->b, t->e0, t->unbalanced, &s, t->stress_2_sum / t->stress_2_n,
+    char *text = tr_summary_biaxial(scene, &t->b, t->e0, t->unbalanced, &s, t->stress_2_sum / t->stress_n,
                                     t->b.world.ledger ? &t->energy : NULL, &timing, st);
     if (!text) return false;
     report(t, &s, &timing);

@@ -61,7 +61,7 @@ static void moving_crowd(double x0) {
     double v[N][2];
     for (int i = 0; i < N; i++)
         v[i][0] = random_in(&c.random, -0.02, 0.02), v[i][1] = random_in(&c.random, -0.02, 0.02);
-    tr_broad_input in = {N, c.pos, 0.1};
+    tr_broad_input in = {N, c.pos, 0.1, NULL};
     void *f[2] = {new_finder(finders[0], &in), new_finder(finders[1], &in)};
     tr_pairs pairs[2] = {{0}, {0}};
     long found = 0;
@@ -103,7 +103,7 @@ static void test_crowds_at_rest(void **state) {
         for (int s = 0; s < 4; s++)
             for (int k = 0; k < 2; k++) {
                 crowd c = new_crowd(120, sides[i], -3, 9 + (uint64_t)i);
-                tr_broad_input in = {c.n, c.pos, skins[s]};
+                tr_broad_input in = {c.n, c.pos, skins[s], NULL};
                 void *f = new_finder(finders[k], &in);
                 tr_pairs pairs = {0};
                 tr_status st = {0};
@@ -119,7 +119,7 @@ static void test_small_lengths(void **state) {
     for (int k = 0; k < 2; k++) {
         crowd c = new_crowd(200, 25, 0, 4);
         for (int i = 0; i < 4 * c.n; i++) c.pos[i] *= 1e-3;
-        tr_broad_input in = {c.n, c.pos, 1e-4};
+        tr_broad_input in = {c.n, c.pos, 1e-4, NULL};
         void *f = new_finder(finders[k], &in);
         tr_pairs pairs = {0};
         tr_status st = {0};
@@ -136,7 +136,7 @@ static void test_not_finite_is_refused_by_name(void **state) {
         for (int b = 0; b < 3; b++)
             for (int lane = 0; lane < 2; lane++) {
                 crowd c = new_crowd(40, 9, 0, 2);
-                tr_broad_input in = {c.n, c.pos, 0.1};
+                tr_broad_input in = {c.n, c.pos, 0.1, NULL};
                 void *f = new_finder(finders[k], &in);
                 tr_pairs pairs = {0};
                 tr_status st = {0};
@@ -155,7 +155,7 @@ static void test_not_finite_is_refused_by_name(void **state) {
     crowd c = new_crowd(40, 9, 0, 2);
     c.pos[4 * 3] = NAN;
     tr_status st = {0};
-    assert_null(tr_broad_box2d.create(&(tr_broad_input){c.n, c.pos, 0.1}, &st));
+    assert_null(tr_broad_box2d.create(&(tr_broad_input){c.n, c.pos, 0.1, NULL}, &st));
     assert_non_null(strstr(st.text, "disk 3 "));
     free(c.pos);
 }
@@ -165,7 +165,7 @@ static void test_few_disks(void **state) {
     double pos[8] = {1, 2, 0, 0.5, 1, 2, 0, 0.5}; /* two that coincide */
     for (int k = 0; k < 2; k++)
         for (int n = 0; n <= 2; n++) {
-            tr_broad_input in = {n, pos, 0};
+            tr_broad_input in = {n, pos, 0, NULL};
             void *f = new_finder(finders[k], &in);
             tr_pairs pairs = {0};
             tr_status st = {0};
@@ -180,7 +180,7 @@ static void test_coincident_disks(void **state) {
     crowd c = new_crowd(60, 9, 0, 3);
     for (int i = 20; i < 40; i++) c.pos[4 * i] = 4, c.pos[4 * i + 1] = 4;
     for (int k = 0; k < 2; k++) {
-        tr_broad_input in = {c.n, c.pos, 0};
+        tr_broad_input in = {c.n, c.pos, 0, NULL};
         void *f = new_finder(finders[k], &in);
         tr_pairs pairs = {0};
         tr_status st = {0};
@@ -189,6 +189,64 @@ static void test_coincident_disks(void **state) {
         finders[k]->destroy(f), tr_pairs_free(&pairs);
     }
     free(c.pos);
+}
+
+/* ---- periodic cells: the reference looks at all nine images of each pair */
+
+static void check_images(const tr_broad_input *in, const tr_pairs *pairs) {
+    int next = 0;
+    for (int a = 0; a < in->n; a++)
+        for (int b = a + 1; b < in->n; b++) {
+            const double *p = in->pos + 4 * a, *q = in->pos + 4 * b;
+            double distance = INFINITY, reach = p[3] + q[3] + in->skin;
+            for (int i = -1; i <= 1; i++)
+                for (int j = -1; j <= 1; j++)
+                    distance = fmin(distance, hypot(q[0] + i * in->cell[0] - p[0], q[1] + j * in->cell[1] - p[1]));
+            bool given = next < pairs->n && pairs->a[next] == a && pairs->b[next] == b;
+            if (given != (distance < reach) && fabs(distance - reach) > 1e-14 * (in->cell[0] + in->cell[1]))
+                fail_msg("pair (%d, %d), distance %.17g, reach %.17g: %s", a, b, distance, reach,
+                         given ? "given" : "missing");
+            next += given;
+        }
+    assert_int_equal(next, pairs->n);
+}
+
+/* Radii 1:10 in cells that a strain squeezes from wide to tall, down to the least side; a tenth of the disks on edges, the
+ * first four in the corners. */
+static void test_periodic_cells(void **state) {
+    (void)state;
+    enum { N = 90, STEPS = 60 };
+    long found = 0;
+    for (int k = 0; k < 2; k++) {
+        crowd c = new_crowd(N, 1, -0.5, 21);
+        double cell[2] = {1, 1}, unit[N][2];
+        for (int i = 0; i < N; i++) {
+            for (int axis = 0; axis < 2; axis++) unit[i][axis] = c.pos[4 * i + axis];
+            if (i < 4) unit[i][0] = i % 2 - 0.5, unit[i][1] = i / 2 - 0.5;
+            if (i % 10 == 5) unit[i][i % 4 == 1] = i % 20 == 5 ? 0.5 : -0.5;
+        }
+        c.pos[3] = 1; /* the largest in a corner */
+        tr_broad_input in = {N, c.pos, 0, cell};
+        void *f = new_finder(finders[k], &in);
+        tr_pairs pairs = {0};
+        for (int s = 0; s < STEPS; s++) {
+            in.skin = 0.5 * (s % 6) / 5;
+            double least = 2 * (2 + in.skin) * (1 + 1e-12), part = s / (STEPS - 1.0);
+            cell[0] = least + 20 * (1 - part), cell[1] = least + 20 * part;
+            for (int i = 0; i < N; i++)
+                for (int axis = 0; axis < 2; axis++) {
+                    if (i % 10 != 5 && i >= 4) /* they wander through the cell, and come back on the other side */
+                        unit[i][axis] = remainder(unit[i][axis] + random_in(&c.random, -0.1, 0.1), 1);
+                    c.pos[4 * i + axis] = unit[i][axis] * cell[axis];
+                }
+            tr_status st = {0};
+            if (!finders[k]->find(f, &in, &pairs, &st)) fail_msg("%s", st.text);
+            check_images(&in, &pairs);
+            found += pairs.n;
+        }
+        finders[k]->destroy(f), tr_pairs_free(&pairs), free(c.pos);
+    }
+    assert_true(found > 100L * STEPS);
 }
 
 static void test_choice(void **state) {
@@ -206,6 +264,7 @@ int main(void) {
         cmocka_unit_test(test_not_finite_is_refused_by_name),
         cmocka_unit_test(test_few_disks),
         cmocka_unit_test(test_coincident_disks),
+        cmocka_unit_test(test_periodic_cells),
         cmocka_unit_test(test_choice),
     };
     return cmocka_run_group_tests_name("broad", tests, NULL, NULL);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A biaxial test that is saved in the midst of its way and loaded into a new one goes on bit for bit. For every law of the
- * registries, every kind of wall and shape, so that what is added later is covered. What is compared is all that a run reads, not
+ * registries, every boundary, kind of wall, stress that is held and shape, so that what is added later is covered. What is compared is all that a run reads, not
  * the fields that are saved. */
 #include "core/checkpoint.h"
 #include "core/ledger.h"
@@ -46,19 +46,20 @@ static void add_parameters(text *t, const tr_law *law) {
 static const char *const shapes[] = {"disk", "sphere"};
 
 /* False: the reader refuses these laws for this shape. */
-static bool scene_of(tr_scene *scene, const tr_law *const law[3], const char *walls, int shape) {
+static bool scene_of(tr_scene *scene, const tr_law *const law[3], const char *boundary, const char *how, int shape) {
     tr_status st = {0};
     text t = {""};
-    add(&t, "kind: biaxial\nshape: %s\nsample: {disks: %d, r_min: 0.76 mm, r_max: 1.52 mm}\n", shapes[shape], DISKS);
+    add(&t, "kind: biaxial\nboundary: %s\nshape: %s\nsample: {disks: %d, r_min: 0.76 mm, r_max: 1.52 mm}\n", boundary,
+        shapes[shape], DISKS);
     add(&t, "compaction: {pressure: %s, inertial_number: 0.1, unbalanced: 1e-2}\n", shape ? "160 N/m" : "160 kPa");
-    add(&t, "shear: {inertial_number: 0.03, strain_end: 0.4, walls: %s, lateral_pressure: compaction.pressure}\n",
-        walls);
+    add(&t, "shear: {inertial_number: 0.03, strain_end: 0.4, %s, lateral_pressure: compaction.pressure}\n", how);
     add(&t, "output: {paths: [0-1]}\ncontact: {normal: %s, friction: %s, rolling: %s", law[0]->table.name,
         law[1]->table.name, law[2]->table.name);
     for (int k = 0; k < 3; k++) add_parameters(&t, law[k]);
     add(&t, "}\n");
     if (tr_scene_read(scene, "case", t.s, strlen(t.s), NULL, 0, tr_laws_catalog(), &st)) return true;
     if (law[0]->table.demands || law[1]->table.demands) return false;
+    if (strstr(st.text, "`boundary: periodic`")) return false; /* rough walls have none, mean stress needs one */
     fail_msg("%s\n%s", st.text, t.s);
     return false;
 }
@@ -101,6 +102,7 @@ static void assert_same(tr_biaxial *p, tr_biaxial *q) {
     assert_same_bits(v, w);
     assert_memory_equal(v->disks.force, w->disks.force, 4 * (size_t)v->disks.n * sizeof(double));
     assert_memory_equal(v->wall, w->wall, (size_t)v->n_walls * sizeof *v->wall);
+    assert_memory_equal(&v->cell, &w->cell, sizeof v->cell);
     assert_int_equal(v->searches, w->searches);
     assert_int_equal(v->refreshes, w->refreshes);
     assert_int_equal(v->contact_updates, w->contact_updates);
@@ -127,6 +129,7 @@ static void follow(tr_biaxial *b, const tr_scene *scene, const tr_biaxial *packi
     begin(b, scene);
     memcpy(b->world.disks.pos, packing->world.disks.pos, 4 * DISKS * sizeof(double));
     memcpy(b->world.wall, packing->world.wall, sizeof b->world.wall);
+    b->world.cell = packing->world.cell;
     b->world.steps = packing->world.steps;
     begin_shear(b);
 }
@@ -147,7 +150,7 @@ static seen assert_goes_on(const tr_scene *scene, const tr_biaxial *packing, int
     tr_step_advance(&b.world);
     save(&b);
     s.searches = b.world.searches, s.refreshes = b.world.refreshes;
-    s.moved = !b.world.stale && b.world.wall_moved > 0 &&
+    s.moved = !b.world.stale && b.world.wall_moved + b.world.cell.moved[0] > 0 &&
               memcmp(b.world.disks.pos + 4 * 7, b.world.thin_ref + 2 * 7, sizeof(double));
     load(&loaded);
     shear_steps(&b, then), shear_forces(&b);
@@ -160,18 +163,18 @@ static seen assert_goes_on(const tr_scene *scene, const tr_biaxial *packing, int
 }
 
 /* A compacted sample, the same for all laws: its disks depend on the seed alone. */
-static void pack(tr_biaxial *packing, tr_scene *scene, int shape) {
+static void pack(tr_biaxial *packing, tr_scene *scene, const char *boundary, int shape) {
     const tr_law *const law[3] = {tr_laws_normal[0], tr_laws_friction[0], tr_laws_rolling[0]};
-    assert_true(scene_of(scene, law, "smooth", shape));
+    assert_true(scene_of(scene, law, boundary, "walls: smooth", shape));
     compact(packing, scene);
 }
 
-/* "smooth", "rough", ... of shear.walls; false: there is no such. */
-static bool wall_kind(int k, char name[32]) {
+/* Choice k of a key of the biaxial test; false: there is none. */
+static bool choice(const char *key, int k, char name[32]) {
     const tr_param *p = NULL;
     for (int i = 0; i < tr_n_sections; i++)
-        for (int j = 0; !strcmp(tr_sections[i].key, "shear") && j < tr_sections[i].n; j++)
-            if (!strcmp(tr_sections[i].params[j].key, "walls")) p = &tr_sections[i].params[j];
+        for (int j = 0; tr_sections[i].kinds & TR_FOR_BIAXIAL && j < tr_sections[i].n; j++)
+            if (!strcmp(tr_sections[i].params[j].key, key)) p = &tr_sections[i].params[j];
     assert_non_null(p);
     const char *at = p->choices;
     for (; k > 0 && at; k--) at = strchr(at, '|') ? strchr(at, '|') + 1 : NULL;
@@ -179,57 +182,73 @@ static bool wall_kind(int k, char name[32]) {
     return at != NULL;
 }
 
+/* "walls: smooth", which is the default, then each other choice; false: no more. */
+static bool way(int k, char how[48]) {
+    static const char *const keys[] = {"walls", "hold"};
+    char name[32];
+    for (int key = 0; key < 2; key++)
+        for (int i = key; choice(keys[key], i, name); i++)
+            if (k-- == 0) {
+                snprintf(how, 48, "%s: %s", keys[key], name);
+                return true;
+            }
+    return false;
+}
+
 /* Each law of each slot, beside the first of the other slots. */
-static void test_every_law_and_wall(void **state) {
+static void test_every_law_and_boundary(void **state) {
     (void)state;
     const tr_param_catalog *catalog = tr_laws_catalog();
     const int n[3] = {catalog->n_normal, catalog->n_friction, catalog->n_rolling};
     const tr_law *const *const all[3] = {tr_laws_normal, tr_laws_friction, tr_laws_rolling};
-    int histories = 0, ran[3][16] = {{0}}, slid = 0, moved = 0, renewed = 0, searched = 0, walls = 0;
-    for (int shape = 0; shape < 2; shape++) {
-        tr_biaxial packing;
-        tr_scene compacted;
-        pack(&packing, &compacted, shape);
-        char wall[32];
-        for (walls = 0; wall_kind(walls, wall); walls++)
-            for (int slot = 0; slot < 3; slot++)
-                for (int i = 0; i < n[slot]; i++) {
-                    const tr_law *law[3] = {tr_laws_normal[0], tr_laws_friction[0], tr_laws_rolling[0]};
-                    tr_scene scene;
-                    law[slot] = all[slot][i];
-                    if (!scene_of(&scene, law, wall, shape)) continue;
-                    seen s = assert_goes_on(&scene, &packing, 701, 900);
-                    assert_true(s.sticks);
-                    ran[slot][i]++, slid += s.slides, moved += s.moved, renewed += s.refreshes > 0,
-                        searched += s.searches > 0;
-                    if (law[slot]->n_hist) histories++;
-                    tr_scene_free(&scene);
-                }
-        tr_biaxial_free(&packing), tr_scene_free(&compacted);
-    }
+    int histories = 0, ran[3][16] = {{0}}, slid = 0, moved = 0, renewed = 0, searched = 0, ways = 0;
+    char boundary[32], how[48];
+    for (int k = 0; choice("boundary", k, boundary); k++)
+        for (int shape = 0; shape < 2; shape++) {
+            tr_biaxial packing;
+            tr_scene compacted;
+            pack(&packing, &compacted, boundary, shape);
+            for (int j = 0; way(j, how); j++) {
+                int runs = 0;
+                for (int slot = 0; slot < 3; slot++)
+                    for (int i = 0; i < n[slot]; i++) {
+                        const tr_law *law[3] = {tr_laws_normal[0], tr_laws_friction[0], tr_laws_rolling[0]};
+                        tr_scene scene;
+                        law[slot] = all[slot][i];
+                        if (!scene_of(&scene, law, boundary, how, shape)) continue;
+                        seen s = assert_goes_on(&scene, &packing, 701, 900);
+                        assert_true(s.sticks);
+                        ran[slot][i]++, runs++, slid += s.slides, moved += s.moved, renewed += s.refreshes > 0,
+                            searched += s.searches > 0;
+                        if (law[slot]->n_hist) histories++;
+                        tr_scene_free(&scene);
+                    }
+                ways += runs > 0;
+            }
+            tr_biaxial_free(&packing), tr_scene_free(&compacted);
+        }
     for (int slot = 0; slot < 3; slot++)
         for (int i = 0; i < n[slot]; i++)
             if (!ran[slot][i] && !(all[slot][i]->table.demands & TR_ONLY_DRIVER))
                 fail_msg("%s was never run", all[slot][i]->table.name);
-    assert_true(histories > 20 && slid > 20 && moved > 20 && renewed > 20 && searched > 20 && walls >= 2);
+    assert_true(histories > 20 && slid > 20 && moved > 20 && renewed > 20 && searched > 20 && ways >= 8);
 }
 
 /* Many steps of a while: right at the start, when nothing has moved yet; when the list is stale; in between. */
-static void test_every_moment(void **state) {
-    (void)state;
+static void every_moment(const char *boundary, const char *how) {
     enum { UNTIL = 600 };
     const tr_law *const law[3] = {tr_laws_normal[0], tr_laws_friction[0], tr_laws_rolling[0]};
     tr_biaxial packing, whole, b, loaded;
     tr_scene compacted, scene;
     int stale = 0, fresh = 0, moved = 0;
-    pack(&packing, &compacted, 0);
-    assert_true(scene_of(&scene, law, "rough", 0));
+    pack(&packing, &compacted, boundary, 0);
+    assert_true(scene_of(&scene, law, boundary, how, 0));
     follow(&whole, &scene, &packing), follow(&b, &scene, &packing);
     shear_steps(&whole, UNTIL), shear_forces(&whole);
     for (int k = 0; k < UNTIL; k++, shear_steps(&b, 1)) {
         if (k > 3 && k % 16 && !b.world.stale) continue;
         save(&b);
-        stale += b.world.stale, fresh += b.world.fresh, moved += b.world.wall_moved > 0;
+        stale += b.world.stale, fresh += b.world.fresh, moved += b.world.wall_moved + b.world.cell.moved[0] > 0;
         begin(&loaded, &scene), begin_shear(&loaded);
         load(&loaded);
         shear_steps(&loaded, UNTIL - k), shear_forces(&loaded);
@@ -242,11 +261,15 @@ static void test_every_moment(void **state) {
     tr_scene_free(&compacted), tr_scene_free(&scene);
 }
 
-static void test_in_the_compaction(void **state) {
+static void test_every_moment(void **state) {
     (void)state;
+    every_moment("walls", "walls: rough"), every_moment("periodic", "hold: mean");
+}
+
+static void in_the_compaction(const char *boundary) {
     tr_biaxial whole, b;
     tr_scene scene;
-    pack(&whole, &scene, 0);
+    pack(&whole, &scene, boundary, 0);
     for (int batches = 1; batches < 40; batches += 6) {
         tr_biaxial loaded;
         tr_status st = {0};
@@ -265,9 +288,15 @@ static void test_in_the_compaction(void **state) {
     tr_biaxial_free(&whole), tr_scene_free(&scene);
 }
 
+static void test_in_the_compaction(void **state) {
+    (void)state;
+    char boundary[32];
+    for (int k = 0; choice("boundary", k, boundary); k++) in_the_compaction(boundary);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_law_and_wall),
+        cmocka_unit_test(test_every_law_and_boundary),
         cmocka_unit_test(test_every_moment),
         cmocka_unit_test(test_in_the_compaction),
     };

@@ -390,7 +390,7 @@ static void test_stiffness_of_a_sample(void **state) {
     (void)state;
     tr_scene scene = biaxial_scene(50, 1, sand);
     scene.shape = TR_SHAPE_SPHERE, scene.contact = hertz("hertz-sphere", sand);
-    scene.compaction.pressure = 100;
+    scene.compaction.pressure = scene.shear.lateral_pressure = 100;
     tr_biaxial b;
     tr_status st = {0};
     if (!tr_biaxial_init(&b, &scene, &st)) fail_msg("%s", st.text);

@@ -211,6 +211,37 @@ static void test_disks_in_the_colour_of_a_field(void **state) {
     free(h);
 }
 
+/* One disk across the right edge of a cell: in full inside, its image on the left too, what is outside is pale; a contact
+ * across the edge goes to the image. The origin is at (420, 342) px. */
+static void test_cell_pixels(void **state) {
+    fixture *f = *state;
+    hand_made *h = hand_start();
+    hand_disk(h, (double[]){1.9, 0, 0, 0.5}, (double[]){0, 0, 0, 0});
+    hand_disk(h, (double[]){-1.2, 0, 0, 0.5}, (double[]){0, 0, 0, 0});
+    h->world.cell.side[0] = 4, h->world.cell.side[1] = 3;
+    h->view.x0 = h->view.y0 = -3, h->view.x1 = h->view.y1 = 3;
+    tr_draw_biaxial(f->canvas, &h->view);
+    double scale = 0;
+    for (int x = 420; scale == 0 && x < TR_FRAME_WIDTH; x++) /* the edge at x = 2, above the disk */
+        if (pixel(f->canvas, x, 260) == TR_WALL) scale = (x + 1 - 420) / 2.0;
+    assert_true(scale > 50);
+    int inside = 420 + (int)(1.7 * scale), image = 420 - (int)(1.95 * scale), outside = 420 + (int)(2.25 * scale),
+        low = 342 + (int)(0.2 * scale);
+    assert_int_equal(pixel(f->canvas, inside, low), TR_DISK);
+    assert_int_equal(pixel(f->canvas, image, low), TR_DISK);
+    unsigned pale = pixel(f->canvas, outside, low);
+    assert_true(pale != TR_DISK && pale != TR_WHITE && (pale & 255) > (TR_DISK & 255));
+    assert_int_equal(pixel(f->canvas, 420, low), TR_WHITE); /* no line from one to the other through the cell */
+    h->record[0] = (tr_record){.a = 0, .b = 1, .f_n = 5, .mobilisation = 1, .R1 = 0.5, .R2 = 0.5};
+    h->view.n_records = 1;
+    tr_draw_biaxial(f->canvas, &h->view);
+    tr_rgb dark = tr_palette_sequential(1);
+    int at[2] = {420 + (int)(1.95 * scale), 420 - (int)(1.6 * scale)};
+    for (int k = 0; k < 2; k++) assert_close((pixel(f->canvas, at[k], 342) >> 16) / 255.0, dark.r, 0, 0.03);
+    assert_int_equal(pixel(f->canvas, 420, 342), TR_WHITE);
+    free(h);
+}
+
 static void test_line_width_follows_force(void **state) {
     fixture *f = *state;
     hand_made *h = hand_start();
@@ -519,6 +550,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_same_view_same_bytes, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_biaxial_pixels, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_disks_in_the_colour_of_a_field, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_cell_pixels, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_line_width_follows_force, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_bodies_shows_arcs_bars_and_walls, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_arcs_go_the_right_way, set_up, tear_down),

@@ -63,17 +63,19 @@ static const bad_case rows[] = {
      "along a path, or the inside of one\nkind: "
      "[biaxial]\n      ^"},
     {GOOD "smaple: {disks: 4}\n", 0, NULL,
-     "a.yaml:5:1: error: unknown key `smaple` (did you mean `sample`?); allowed here: kind, shape, seed, lesson, "
+     "a.yaml:5:1: error: unknown key `smaple` (did you mean `sample`?); allowed here: kind, shape, seed, boundary, "
+     "lesson, "
      "sample, "
      "contact, "
      "compaction, shear, step, output\nsmaple: {disks: 4}\n^"},
     {GOOD "frobnicate: 3\n", 0, NULL,
-     "a.yaml:5:1: error: unknown key `frobnicate`; allowed here: kind, shape, seed, lesson, sample, contact, "
+     "a.yaml:5:1: error: unknown key `frobnicate`; allowed here: kind, shape, seed, boundary, lesson, sample, contact, "
      "compaction, "
      "shear, step, "
      "output\nfrobnicate: 3\n^"},
     {GOOD "gravity: {y: -9.81}\n", 0, NULL,
-     "a.yaml:5:1: error: `gravity` is not for `kind: biaxial`; allowed here: kind, shape, seed, lesson, sample, "
+     "a.yaml:5:1: error: `gravity` is not for `kind: biaxial`; allowed here: kind, shape, seed, boundary, lesson, "
+     "sample, "
      "contact, "
      "compaction, "
      "shear, step, output\ngravity: {y: -9.81}\n^"},
@@ -98,7 +100,8 @@ static const bad_case rows[] = {
      "a.yaml:5:18: error: `lesson.answer` must be a single value: to the question\nlesson: {answer: [1, 2]}\n      "
      "           ^"},
     {GOOD "label: a\n", 0, NULL,
-     "a.yaml:5:1: error: `label` is not for `kind: biaxial`; allowed here: kind, shape, seed, lesson, sample, contact, "
+     "a.yaml:5:1: error: `label` is not for `kind: biaxial`; allowed here: kind, shape, seed, boundary, lesson, "
+     "sample, contact, "
      "compaction, shear, step, output\nlabel: a\n^"},
     {"just words", 0, "seed=3", "a.yaml:1:1: error: a case must be a mapping of keys and values\njust words\n^"},
     {GOOD "output: {energy: maybe}\n", 0, NULL,
@@ -223,7 +226,15 @@ static const bad_case rows[] = {
      "a.yaml:5:9: error: the normal (nx, ny) of `walls.0` is zero\nwalls: [{nx: 0, ny: 0}]\n        ^"},
     {GOOD, 0, "shear.inertial_numbr=1e-4",
      "--set:1:7: error: unknown key `shear.inertial_numbr` (did you mean `inertial_number`?); allowed here: "
-     "lateral_pressure, inertial_number, strain_end, walls\nshear.inertial_numbr=1e-4\n      ^"},
+     "lateral_pressure, hold, inertial_number, strain_end, walls\nshear.inertial_numbr=1e-4\n      ^"},
+    {GOOD "boundary: periodic\nshear: {walls: rough}\n", 0, NULL,
+     "a.yaml:6:16: error: `boundary: periodic` has no walls to be rough\nshear: {walls: rough}\n               ^"},
+    {GOOD "shear: {hold: mean}\n", 0, NULL,
+     "a.yaml:5:15: error: the lateral walls hold their own pressure: `hold: mean` takes `boundary: periodic`\nshear: "
+     "{hold: mean}\n              ^"},
+    {GOOD "boundary: periodic\noutput: {paths: [wall0-3]}\n", 0, NULL,
+     "a.yaml:6:18: error: there is no contact `wall0-3`: disks count from 0 to 399, walls are 0\noutput: {paths: "
+     "[wall0-3]}\n                 ^"},
     {GOOD, 0, "shear.inertial_number=1 mm",
      "--set:1:23: error: wrong dimension: this is in m (`inertial_number` is a number)\nshear.inertial_number=1 mm\n   "
      "                   ^"},

@@ -10,12 +10,12 @@
 #include <string.h>
 #include <unistd.h>
 
-static const char text[] =
-    "kind: biaxial\nseed: 3\nsample: {disks: 60, r_min: 0.76 mm, r_max: 1.52 mm}\n"
+static const char format[] =
+    "kind: biaxial\nboundary: %s\nseed: 3\nsample: {disks: 60, r_min: 0.76 mm, r_max: 1.52 mm}\n"
     "contact: {k_n: 160 MPa, mu: 0.5, mu_r: 0.5, friction: dahlberg-alfredsson, k_t: 80 MPa, E_star: 200 MPa}\n"
     "compaction: {pressure: 160 kPa, inertial_number: 0.1, unbalanced: 1e-2}\n"
-    "shear: {inertial_number: 2e-3, strain_end: 0.01, walls: rough}\n"
-    "output: {frames: 4, rows: 5, contacts: 5, paths: [most-mobilised, wall1-15]}\n";
+    "shear: {inertial_number: 2e-3, strain_end: 0.01, %s}\n"
+    "output: {frames: 4, rows: 5, contacts: 5, paths: [most-mobilised, %s]}\n";
 
 static volatile sig_atomic_t stop;
 static int compactions, calls;
@@ -38,8 +38,10 @@ static bool run(const tr_scene *scene, const char *dir, bool with_stops) {
     return ok;
 }
 
-static void test_stops_in_every_stage(void **state) {
-    (void)state;
+static void stops_in_every_stage(const char *boundary, const char *how, const char *contact) {
+    char text[sizeof format + 80];
+    snprintf(text, sizeof text, format, boundary, how, contact);
+    compactions = 0;
     char dir[] = "/tmp/trundle-resume-XXXXXX", whole[64], parts[64], command[600];
     tr_scene scene;
     tr_status st = {0};
@@ -56,6 +58,12 @@ static void test_stops_in_every_stage(void **state) {
     assert_int_equal(system(command), 0);
     snprintf(command, sizeof command, "rm -r %s", dir);
     assert_int_equal(system(command), 0);
+}
+
+static void test_stops_in_every_stage(void **state) {
+    (void)state;
+    stops_in_every_stage("walls", "walls: rough", "wall1-15");
+    stops_in_every_stage("periodic", "hold: mean", "0-15");
 }
 
 int main(void) {

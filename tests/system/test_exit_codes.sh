@@ -45,6 +45,8 @@ check 'bad YAML' refused 2 'broken.yaml:' broken.yaml
 check 'an empty file' refused 2 'empty.yaml:' empty.yaml
 check 'a misspelt key' refused 2 'did you mean' small.yaml --set shear.strain_ent=0.1
 check 'out of range' refused 2 'allowed is' small.yaml --set compaction.pressure=1e-9
+check 'out of reach' refused 2 'compaction.pressure = 1e+09 is out of reach' small.yaml --set compaction.pressure=1e9
+check 'a cell too thin' refused 2 'cell would be too thin' small.yaml --set boundary=periodic --set sample.disks=8
 check 'wrong dimension' refused 2 'error:' small.yaml --set 'contact.k_n=3 m'
 check '--seed that is no number' refused 2 'seed' small.yaml --seed x
 check 'fewer than no frames' refused 2 'frames' small.yaml --frames -1
@@ -96,5 +98,7 @@ check 'no part' no_parts thrown
 check 'too large a step, forced' fails 4 'at step' small.yaml -o forced --set step.dt=1e-4 --set step.allow_unstable=yes
 check 'names a disk or a contact' grep -qE 'disk [0-9]+|disks [0-9]+ and [0-9]+' stderr
 check 'no row is not a number' not grep -qsi nan forced/history.csv
-check 'too large a pressure' fails 4 'overlap' small.yaml -o crushed --set compaction.pressure=1e9
+check 'too large a pressure' fails 4 'overlap' small.yaml -o crushed --set compaction.pressure=22e6
+check 'a cell that gets too thin' fails 4 'the periodic cell is too thin: its width is' small.yaml -o thin \
+    --set boundary=periodic --set sample.disks=11 --set compaction.pressure=8e6
 finish

@@ -8,6 +8,7 @@ set -u
 cd "$work" || exit 1
 write_small_case small.yaml
 write_bodies_case bodies.yaml
+periodic='--set boundary=periodic --set shear.hold=mean'
 # All that a test can leave: frames with an inset, film, curves, lists of contacts, paths, for one of which it runs twice.
 cat >full.yaml <<'CASE'
 kind: biaxial
@@ -75,6 +76,10 @@ killed() { # CASE REFERENCE TIMES SEED LONGEST
 check 'killed at 20 moments, the same bytes in the end' killed full.yaml full 20 1 0.4
 check 'a run of tables alone' run_gives 0 small.yaml -o small
 check 'killed at 20 moments too' killed small.yaml small 20 2 0.1
+# shellcheck disable=SC2086 # a list of options
+check 'a periodic cell' run_gives 0 small.yaml -o periodic $periodic
+# shellcheck disable=SC2086
+check 'checkpoints change no byte of it' ends_as periodic small.yaml periodic-checkpoints $periodic
 
 # ---- stopped ----
 long='--set shear.strain_end=0.1 --set output.rows=500'
