@@ -102,6 +102,7 @@ static void follow(subject *s, const subject *first) {
     size_t bytes = (size_t)from->disks.n * 4 * sizeof(double);
     memcpy(to->disks.pos, from->disks.pos, bytes), memcpy(to->disks.vel, from->disks.vel, bytes);
     memcpy(to->wall, from->wall, sizeof to->wall);
+    to->cell = from->cell;
 }
 
 static bool prepare(subject *s, const subject *first, const tr_scene *scene, tr_status *st) {

@@ -16,6 +16,8 @@ check 'without, two fewer' equals "$(sed '1,/^without/d' "$work/out" | grep -c '
 bytes() { sed -n "s/^$1.* \([0-9]*\) bytes per disk$/\1/p" "$work/out"; }
 check 'and less memory' test "$(bytes without)" -lt "$(bytes 'as given')"
 check 'a case of bodies is refused' equals "$("$TRUNDLE" bench "$root/cases/pure-rolling.yaml" 2>&1)" 'error: bench needs a case of kind: biaxial'
+"$TRUNDLE" bench --set sample.disks=60 --set shear.strain_end=0.05 --set boundary=periodic >"$work/out" 2>"$work/err"
+check 'a periodic cell runs' equals $? 0
 
 # ---- what features cost
 "$TRUNDLE" bench --features --set sample.disks=60 --set shear.strain_end=0.4 -o "$work/features.csv" >"$work/out" 2>"$work/err"
