@@ -62,6 +62,7 @@ void tr_biaxial_packing(tr_biaxial *b, tr_checkpoint *c) {
     TR_KEEP(c, world->disks.pos, 4 * world->disks.n);
     TR_KEEP(c, world->disks.vel, 4 * world->disks.n);
     TR_KEEP(c, world->wall, world->n_walls);
+    TR_KEEP(c, &world->cell, 1);
     TR_KEEP(c, &world->steps, 1);
     TR_KEEP(c, &world->searches, 1);
     TR_KEEP(c, &world->refreshes, 1);

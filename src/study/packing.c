@@ -17,6 +17,7 @@
 char *tr_packing_text(const tr_scene *scene, tr_status *st) {
     tr_scene compaction = {.kind = scene->kind,
                            .shape = scene->shape,
+                           .boundary = scene->boundary,
                            .seed = scene->seed,
                            .sample = scene->sample,
                            .compaction = scene->compaction,
