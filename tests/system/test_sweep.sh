@@ -134,6 +134,7 @@ processes() { # PATTERN: those whose command line has it. A bare system has no p
         tr '\0' ' ' <"$process/cmdline" | grep -q -- "$1" && echo "${process#/proc/}"
     done 2>/dev/null
 }
+kill_processes() { for process in $(processes "$1"); do kill -KILL "$process"; done; } # nor xargs a kill to call
 runs() { [ -n "$(processes "run .*-o $work/long/")" ]; }
 ended() { ! kill -0 $pid; }
 for signal in TERM KILL; do
@@ -143,7 +144,7 @@ for signal in TERM KILL; do
     kill -s $signal $pid
     check "SIG$signal: it ends" wait_for ended
     check 'and its runs with it' wait_for not runs
-    processes "run .*-o $work/long/" | xargs -r kill -KILL
+    kill_processes "run .*-o $work/long/"
     wait $pid 2>/dev/null
 done
 
@@ -161,12 +162,12 @@ check 'more seeds and values' sweep_gives 0 wider.yaml -o one
 check 'leave the others' says stdout '24: 12 finished before, 12 run now, 0 failed'
 
 # ---- a point that fails ----
-sed 's/^vary.*/vary: {contact.k_n: [160 MPa, 1 MPa, 100 MPa]}/; /compare/d' sweep.yaml >fails.yaml
+sed 's/^vary.*/vary: {contact.k_n: [160 MPa, 1.2 MPa, 100 MPa]}/; /compare/d' sweep.yaml >fails.yaml
 check 'points that fail: code 4' sweep_gives 4 fails.yaml -o fails -j 2
 check 'the others are done' says stdout '9: 0 finished before, 6 run now, 3 failed'
-check 'which one, and why' grep -q '^point 4 (k_n=1_MPa,seed=5-.*): error: ' stderr
-check 'its log has the same' grep -q '^error' fails/k_n=1_MPa,seed=5-*/log
-check 'collected over those that are there' grep -q '^1 MPa,sin_phi_peak,,0,,,,$' fails/collect.csv
+check 'which one, and why' grep -q '^point 4 (k_n=1.2_MPa,seed=5-.*): error: ' stderr
+check 'its log has the same' grep -q '^error' fails/k_n=1.2_MPa,seed=5-*/log
+check 'collected over those that are there' grep -q '^1.2 MPa,sin_phi_peak,,0,,,,$' fails/collect.csv
 check 'and of the others' grep -q '^100 MPa,sin_phi_peak,,3,0' fails/collect.csv
 held() { # another process has this point
     mkdir -p held/mu_r=0,rolling_velocity=wang,seed=3
@@ -179,7 +180,7 @@ slow_victim() { # one of three runs, which would take minutes, is killed from ou
     "$TRUNDLE" sweep slow.yaml -o victim -j 2 >stdout 2>stderr </dev/null &
     pid=$!
     wait_for test -e victim/inertial_number=3e-3,seed=3/summary.json
-    processes 'run .*-o victim/inertial_number=1e-7' | xargs -r kill -KILL
+    kill_processes 'run .*-o victim/inertial_number=1e-7'
     wait "$pid"
     [ $? -eq 4 ] && says stderr 'point 0 (inertial_number=1e-7,seed=3): error: ended by signal 9' && equals "$(summaries victim)" 2
 }
