@@ -18,7 +18,7 @@ static double residual(uint64_t seed, test_laws laws, double safety, tr_hold hol
     tr_biaxial b;
     scene.shear.hold = hold;
     compact(&b, &scene);
-    b.world.dt = safety * b.dt_bound;
+    b.dt = safety * b.dt_bound;
     begin_shear(&b);
     shear_steps(&b, (int)b.shear_steps), shear_forces(&b);
     tr_energy e = tr_ledger_read(&b.world);
