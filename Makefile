@@ -24,7 +24,7 @@ LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o)
 CLI_OBJ  := $(CLI_SRC:%=$(BUILD)/%.o)
 TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all biaxial figures bands features bench bench-peers demos gallery verify test test-slurm install asan lint format clean help packages-% build-all run-demos run-tests
+.PHONY: all biaxial figures wang bands features bench bench-peers demos gallery verify test test-slurm install asan lint format clean help packages-% build-all run-demos run-tests
 .SECONDARY:
 
 all: packages-build
@@ -39,6 +39,13 @@ biaxial: packages-build
 
 figures: packages-build
 	@$(MAKE) --no-print-directory build-all $(patsubst figures/%.sh,out/figures/%.png,$(wildcard figures/*.sh))
+	@$(MAKE) --no-print-directory wang bands
+
+# Wang's Figs. 5 and 6 with a verdict on each claim. Goes on with what is there; SEEDS=4 is quick.
+SEEDS ?= 32
+wang: packages-build
+	@$(MAKE) --no-print-directory build-all
+	figures/wang/wang.sh ./trundle out/wang $(SEEDS)
 
 # Measures anew each time; not among the figures, for it takes a quarter of a minute and is not the same from run to run.
 features: packages-build
@@ -114,6 +121,7 @@ help:
 	@echo 'make test      install what is missing, build, run all tests; last line: N passed, N failed'
 	@echo 'make figures   build, and draw figures/*.gp with their data into out/figures/ (needs gnuplot)'
 	@echo 'make features  build, measure what each feature and each law costs, and draw it: out/figures/features.png'
+	@echo 'make wang      build, sweep the biaxial test as Wang did, and judge each claim: out/wang/; SEEDS=3 for a minute of it'
 	@echo 'make bands     build, shear 10,000 disks without and with rolling resistance, and draw where they turn; minutes'
 	@echo 'make bench     build, measure a step of 100 to 1000000 disks, and draw it: out/figures/bench.png; minutes'
 	@echo 'make bench-peers  the same packing here and in LAMMPS, if that is installed: time of a step and ratio'
