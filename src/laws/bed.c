@@ -13,44 +13,54 @@ static void push(tr_bed *b, double s, double e, double P) {
     b->n++;
 }
 
-static double force_at(tr_bed *b, int k) {
-    if (b->P[k] < 0) b->P[k] = b->data->normal->elastic(b->data->normal_par, b->R1, b->R2, b->s[k]).force;
-    return b->P[k];
+static tr_elastic curve(const tr_bed *b, double s) {
+    return b->data->normal->elastic(b->data->normal_par, b->R1, b->R2, s);
 }
 
 /* By how much kappa Q changes where breakpoint k gives way to the chord over it. */
-static double share(tr_bed *b, int k) {
-    const double *s = b->s, *e = b->e;
+static double share(const double *s, const double *e, const double *P, int k) {
     double left = s[k] - s[k - 1], right = s[k + 1] - s[k];
     double above = e[k] - (e[k - 1] * right + e[k + 1] * left) / (left + right);
-    double P = force_at(b, k);
-    return fabs(above * ((force_at(b, k + 1) - P) / right - (P - force_at(b, k - 1)) / left));
+    return fabs(above * ((P[k + 1] - P[k]) / right - (P[k] - P[k - 1]) / left));
+}
+
+static void drop(double *of, int k, int n) {
+    for (; k < n; k++) of[k] = of[k + 1];
 }
 
 /* Drops what takes no part, and what does not fit: always the least. A second time it finds nothing to do. */
 static void thin(tr_bed *b) {
+    double lost[TR_BED_POINTS + 1];
+    for (int k = 1; k < b->n - 1; k++) lost[k] = share(b->s, b->e, b->P, k);
     while (b->n > 2) {
-        int least = 1;
-        double lost = share(b, 1);
-        for (int k = 2; k < b->n - 1; k++) {
-            double other = share(b, k);
-            if (other < lost) least = k, lost = other;
-        }
-        if (lost > NOTHING * b->cap * force_at(b, b->n - 1)) {
+        int k = 1;
+        for (int j = 2; j < b->n - 1; j++)
+            if (lost[j] < lost[k]) k = j;
+        if (lost[k] > NOTHING * b->cap * b->P[b->n - 1]) {
             if (b->n <= TR_BED_POINTS) return;
             b->merged++;
         }
         b->n--;
-        for (int k = least; k < b->n; k++) b->s[k] = b->s[k + 1], b->e[k] = b->e[k + 1], b->P[k] = b->P[k + 1];
+        drop(b->s, k, b->n), drop(b->e, k, b->n), drop(b->P, k, b->n), drop(lost, k, b->n - 1);
+        if (k > 1) lost[k - 1] = share(b->s, b->e, b->P, k - 1);
+        if (k < b->n - 1) lost[k] = share(b->s, b->e, b->P, k);
     }
 }
 
-double tr_bed_force(tr_bed *b) {
-    double sum = 0;
-    for (int k = 1; k < b->n; k++)
-        sum += (b->e[k - 1] - b->e[k]) * ((force_at(b, k) - force_at(b, k - 1)) / (b->s[k] - b->s[k - 1]));
-    double Q = sum / b->kappa, most = b->n ? b->mu * b->P[b->n - 1] : 0; /* which rounding may exceed */
+static double capped(const tr_bed *b, double Q, double P) {
+    double most = b->mu * P; /* which rounding may exceed */
     return Q > most ? most : Q < -most ? -most : Q;
+}
+
+/* The part of kappa Q below breakpoint k. */
+static double sum_to(const tr_bed *b, int k) {
+    double sum = 0;
+    for (int j = 1; j <= k; j++) sum += (b->e[j - 1] - b->e[j]) * ((b->P[j] - b->P[j - 1]) / (b->s[j] - b->s[j - 1]));
+    return sum;
+}
+
+double tr_bed_force(const tr_bed *b) {
+    return b->n ? capped(b, sum_to(b, b->n - 1) / b->kappa, b->P[b->n - 1]) : 0;
 }
 
 /* No slope exceeds that of the caps, mu kappa: what slips is all the bed from some s on, up to delta, in one sense. There e
@@ -72,7 +82,7 @@ static void move(tr_bed *b, double delta, double P, double du) {
         if (s > delta) e = e0 + (e - e0) * ((delta - s0) / (s - s0)), s = delta;
         double room0 = b->cap * (delta - s0) - (e < 0 ? -e0 : e0), room = b->cap * (delta - s) - fabs(e);
         double at = s0 + (s - s0) * (room0 / (room0 - room));
-        if (at > s0 && at < delta) push(b, at, copysign(b->cap * (delta - at), e), -1);
+        if (at > s0 && at < delta) push(b, at, copysign(b->cap * (delta - at), e), curve(b, at).force);
     }
     for (int k = 0; k < b->n; k++) { /* rounding */
         double most = b->cap * (delta - b->s[k]);
@@ -93,31 +103,37 @@ double tr_bed_trial(const tr_bed *b, double delta, double P, double du) {
     return tr_bed_force(&copy);
 }
 
-static tr_bed load(const tr_tile *tile, const tr_law_data *data, int i) {
+/* What all contacts share. */
+static void begin(tr_bed *b, const tr_law_data *data) {
     const tr_bed_par *p = data->par;
-    double kappa = data->shape == TR_SHAPE_SPHERE ? (2 - p->nu) / (2 * (1 - p->nu)) : 1;
-    tr_bed b = {.data = data, .R1 = tile->R1[i], .R2 = tile->R2[i], .mu = p->mu, .kappa = kappa, .cap = p->mu * kappa};
+    b->data = data, b->mu = p->mu;
+    b->kappa = data->shape == TR_SHAPE_SPHERE ? (2 - p->nu) / (2 * (1 - p->nu)) : 1;
+    b->cap = b->mu * b->kappa;
+}
+
+/* In place: to copy a bed takes as long as to move it. */
+static void load(tr_bed *b, const tr_tile *tile, int i) {
     int c = tile->first + i;
-    b.n = (int)data->hist[0][c], b.merged = (int)data->hist[1][c];
-    for (int k = 0; k < b.n; k++) {
-        b.s[k] = data->hist[2 + 2 * k][c], b.e[k] = data->hist[3 + 2 * k][c];
-        b.P[k] = k ? -1 : 0;
-    }
-    return b;
+    double *const *hist = b->data->hist, *const *point = hist + 2;
+    b->R1 = tile->R1[i], b->R2 = tile->R2[i];
+    b->n = (int)hist[0][c], b->merged = (int)hist[1][c];
+    for (int k = 0; k < b->n; k++, point += 3) b->s[k] = point[0][c], b->e[k] = point[1][c], b->P[k] = point[2][c];
 }
 
 static void store(const tr_bed *b, int c) {
-    double *const *hist = b->data->hist;
+    double *const *hist = b->data->hist, *const *point = hist + 2;
     hist[0][c] = b->n, hist[1][c] = b->merged;
-    for (int k = 0; k < b->n; k++) hist[2 + 2 * k][c] = b->s[k], hist[3 + 2 * k][c] = b->e[k];
+    for (int k = 0; k < b->n; k++, point += 3) point[0][c] = b->s[k], point[1][c] = b->e[k], point[2][c] = b->P[k];
 }
 
 void tr_bed_step(tr_tile *tile, const tr_law_data *data, tr_bed_displacement *displacement) {
+    tr_bed b;
+    begin(&b, data);
     for (int i = 0; i < tile->n; i++) {
         int c = tile->first + i;
         tile->f_t[i] = 0;
         if (tile->f_n[i] > 0 && tile->delta[i] > 0) {
-            tr_bed b = load(tile, data, i);
+            load(&b, tile, i);
             double du = displacement(&b, tile, data, i);
             tile->f_t[i] = tr_bed_advance(&b, tile->delta[i], tile->f_elastic[i], du);
             store(&b, c);
@@ -129,7 +145,7 @@ void tr_bed_step(tr_tile *tile, const tr_law_data *data, tr_bed_displacement *di
 static double energy_of(const tr_bed *b) {
     double sum = 0, W0 = 0, Pe0 = 0; /* at the start of the piece */
     for (int k = 1; k < b->n; k++) {
-        tr_elastic at = b->data->normal->elastic(b->data->normal_par, b->R1, b->R2, b->s[k]);
+        tr_elastic at = curve(b, b->s[k]);
         double m = (b->e[k] - b->e[k - 1]) / (b->s[k] - b->s[k - 1]), Pe = at.force * b->e[k];
         sum += m * (m * (at.energy - W0) - (Pe - Pe0));
         W0 = at.energy, Pe0 = Pe;
@@ -138,11 +154,12 @@ static double energy_of(const tr_bed *b) {
 }
 
 void tr_bed_state(const tr_tile *tile, const tr_law_data *data, double *energy, double *bound) {
-    const tr_bed_par *p = data->par;
+    tr_bed b;
+    begin(&b, data);
     for (int i = 0; i < tile->n; i++) {
-        tr_bed b = load(tile, data, i);
+        load(&b, tile, i);
         energy[i] = energy_of(&b);
-        bound[i] = tile->f_n[i] > 0 ? p->mu * tile->f_elastic[i] : 0;
+        bound[i] = tile->f_n[i] > 0 ? b.mu * tile->f_elastic[i] : 0;
     }
 }
 

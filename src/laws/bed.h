@@ -38,8 +38,9 @@
 
 #include "laws/law.h"
 
-/* History: number of points, count of those that did not fit, then s and e of each [m]. */
-enum { TR_BED_POINTS = 16, TR_BED_HIST = 2 + 2 * TR_BED_POINTS };
+/* History: number of points, count of those that did not fit, then s [m], e [m] and P(s) of each. P is kept because it is
+ * dear: a step asks the normal law for that of a new breakpoint only. */
+enum { TR_BED_POINTS = 16, TR_BED_HIST = 2 + 3 * TR_BED_POINTS };
 
 /* The parameters of a law on the bed begin with these. */
 typedef struct tr_bed_par {
@@ -58,11 +59,11 @@ typedef struct tr_bed {
     double R1, R2, mu, kappa, cap; /* cap = mu kappa */
     int n, merged;
     double s[TR_BED_POINTS + 1], e[TR_BED_POINTS + 1]; /* s[0] = 0 <...< s[n-1] = delta, e[n-1] = 0; n = 0: fresh */
-    double P[TR_BED_POINTS + 1];                       /* P(s); < 0: not asked yet */
+    double P[TR_BED_POINTS + 1];                       /* P(s) */
 } tr_bed;
 
-/* Q of the bed as it is [N/m]; then P[0] to P[n-1] are known. */
-double tr_bed_force(tr_bed *bed);
+/* Q of the bed as it is [N/m]. */
+double tr_bed_force(const tr_bed *bed);
 
 /* One step to the overlap delta > 0, where the elastic force is P, with the tangential displacement du; returns Q. */
 double tr_bed_advance(tr_bed *bed, double delta, double P, double du);

@@ -25,7 +25,7 @@
 
 enum {
     TR_TILE = 64,     /* contacts in a tile, which then stays in the first-level cache */
-    TR_MAX_HIST = 40, /* doubles of history that one law keeps per contact */
+    TR_MAX_HIST = 56, /* doubles of history that one law keeps per contact */
     TR_MAX_PAIR = 4,  /* pair constants that one law precomputes */
 };
 
