@@ -52,15 +52,13 @@ static double capped(const tr_bed *b, double Q, double P) {
     return Q > most ? most : Q < -most ? -most : Q;
 }
 
-/* The part of kappa Q below breakpoint k. */
-static double sum_to(const tr_bed *b, int k) {
-    double sum = 0;
-    for (int j = 1; j <= k; j++) sum += (b->e[j - 1] - b->e[j]) * ((b->P[j] - b->P[j - 1]) / (b->s[j] - b->s[j - 1]));
-    return sum;
-}
-
-double tr_bed_force(const tr_bed *b) {
-    return b->n ? capped(b, sum_to(b, b->n - 1) / b->kappa, b->P[b->n - 1]) : 0;
+double tr_bed_force(const tr_bed *b, double *below) {
+    double sum = below[0] = 0;
+    for (int k = 1; k < b->n; k++) {
+        sum += (b->e[k - 1] - b->e[k]) * ((b->P[k] - b->P[k - 1]) / (b->s[k] - b->s[k - 1]));
+        below[k] = sum;
+    }
+    return b->n ? capped(b, sum / b->kappa, b->P[b->n - 1]) : 0;
 }
 
 /* No slope exceeds that of the caps, mu kappa: what slips is all the bed from some s on, up to delta, in one sense. There e
@@ -94,13 +92,34 @@ static void move(tr_bed *b, double delta, double P, double du) {
 double tr_bed_advance(tr_bed *b, double delta, double P, double du) {
     move(b, delta, P, du);
     thin(b);
-    return tr_bed_force(b);
+    double below[TR_BED_POINTS + 1];
+    return tr_bed_force(b, below);
 }
 
-double tr_bed_trial(const tr_bed *b, double delta, double P, double du) {
-    tr_bed copy = *b;
-    move(&copy, delta, P, du);
-    return tr_bed_force(&copy);
+/* What tr_bed_advance would give, from sums that a shift of all e leaves as they are. */
+double tr_bed_trial(const tr_bed *b, const double *below, double delta, double P, double du, double *slope) {
+    int k = b->n - 1;
+    bool sticks = k < 0 || b->s[k] < delta;
+    double e = k < 0 ? du : b->e[0] + du, s = k < 0 ? 0 : b->s[k], old = k < 0 ? 0 : b->P[k];
+    *slope = 0;
+    if (fabs(e) >= b->cap * delta) return copysign(b->mu * P, e); /* the caps are the steepest: all the bed slips */
+    if (sticks && fabs(du) <= b->cap * (delta - s)) {
+        *slope = (P - old) / (delta - s) / b->kappa;
+        return capped(b, (k < 0 ? 0 : below[k] / b->kappa) + du * *slope, P);
+    }
+    double end = s, e_end = du; /* of the lowest that left or slips */
+    for (; k > 0 && (b->s[k] >= delta || fabs(b->e[k] + du) > b->cap * (delta - b->s[k])); k--)
+        end = b->s[k], e_end = b->e[k] + du;
+    double s0 = b->s[k], e0 = b->e[k] + du;
+    if (end > delta) e_end = e0 + (e_end - e0) * ((delta - s0) / (end - s0)), end = delta;
+    double sign = e_end < 0 ? -1 : 1;
+    double room0 = b->cap * (delta - s0) - sign * e0, room = b->cap * (delta - end) - sign * e_end;
+    double at = s0 + (end - s0) * (room0 / (room0 - room));
+    if (!(at > s0)) at = s0;
+    tr_elastic edge = curve(b, at);
+    double rest = at > s0 ? (e0 - sign * b->cap * (delta - at)) * ((edge.force - b->P[k]) / (at - s0)) : 0;
+    *slope = edge.stiffness / b->kappa;
+    return capped(b, (below[k] + rest) / b->kappa + sign * b->mu * (P - edge.force), P);
 }
 
 /* What all contacts share. */

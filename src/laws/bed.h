@@ -62,14 +62,14 @@ typedef struct tr_bed {
     double P[TR_BED_POINTS + 1];                       /* P(s) */
 } tr_bed;
 
-/* Q of the bed as it is [N/m]. */
-double tr_bed_force(const tr_bed *bed);
+/* Q of the bed as it is [N/m]; below[k]: the part of kappa Q from 0 to s[k]. */
+double tr_bed_force(const tr_bed *bed, double *below);
 
 /* One step to the overlap delta > 0, where the elastic force is P, with the tangential displacement du; returns Q. */
 double tr_bed_advance(tr_bed *bed, double delta, double P, double du);
 
-/* The same of a copy. */
-double tr_bed_trial(const tr_bed *bed, double delta, double P, double du);
+/* What Q would be, and dQ/ddu [Pa], of the bed as it is: by the parts below of tr_bed_force, which du does not change. */
+double tr_bed_trial(const tr_bed *bed, const double *below, double delta, double P, double du, double *slope);
 
 /* The displacement that reaches the bed of contact i in this step: of sliding, less what rolling takes away. */
 typedef double tr_bed_displacement(tr_bed *bed, const tr_tile *tile, const tr_law_data *data, int i);

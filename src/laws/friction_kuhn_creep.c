@@ -20,7 +20,8 @@
  * full slip ends, F falls like a root of the time: theta = 1, and the order from there on is 1 + 1/p, p as below.
  *
  * The unknown is w = 1 - (1 - q)^(1/p), p = 3 or 2, in which creep is linear: mu P (1 - (1 - w)^p) - |J(x(w))| grows with
- * w, and a bracket closes on its one root.
+ * w, and Newton's method finds its one root, from the w of before in two steps as a rule. J and dJ/dx need P and P' at the edge of
+ * slip alone.
  *
  * du_roll = 0: cattaneo-mindlin, bit for bit. P -> 0: a = 0, Q = 0. Wall: R = R2, material rolls with (Vt - R2 w)/2.
  */
@@ -43,35 +44,37 @@ static double greatest_creep(const tr_creep_par *p, tr_shape shape, double R1, d
 /* The bed before the step, and the displacement x0 - side creep w of a trial. */
 typedef struct trial {
     const tr_bed *bed;
+    double below[TR_BED_POINTS + 1];
     double delta, P, x0, side, creep, most; /* most: mu P */
     bool sphere;
 } trial;
 
 static double pushed(const trial *t, double x) {
-    return tr_bed_trial(t->bed, t->delta, t->P, x);
+    double slope;
+    return tr_bed_trial(t->bed, t->below, t->delta, t->P, x, &slope);
 }
 
-static double excess(const trial *t, double w) {
-    double q = t->sphere ? w * (3 - w * (3 - w)) : w * (2 - w);
-    return t->most * q - t->side * pushed(t, t->x0 - t->side * t->creep * w);
+static double excess(const trial *t, double w, double *slope) {
+    double q = t->sphere ? w * (3 - w * (3 - w)) : w * (2 - w), dq = t->sphere ? 3 * (1 - w) * (1 - w) : 2 * (1 - w);
+    double Q = tr_bed_trial(t->bed, t->below, t->delta, t->P, t->x0 - t->side * t->creep * w, slope);
+    *slope = t->most * dq + t->creep * *slope;
+    return t->most * q - t->side * Q;
 }
 
-/* The root of excess in [0, 1]; fa = excess(0) <= 0. False position; an end that stays twice counts half (Illinois). */
-static double root(const trial *t, double fa) {
-    double a = 0, b = 1, fb = excess(t, b);
-    if (fb <= 0) return 1; /* full slip */
-    for (int n = 0, kept = 0; n < 60 && fa < 0; n++) {
-        double w = a + (b - a) * (fa / (fa - fb)), f = excess(t, w);
-        if (fabs(f) <= 1e-16 * t->most || w <= a || w >= b) return w;
-        if (f < 0) {
-            a = w, fa = f;
-            if (kept > 0) fb *= 0.5;
-            kept = 1;
-        } else {
-            b = w, fb = f;
-            if (kept < 0) fa *= 0.5;
-            kept = -1;
-        }
+/* The root of excess in [0, 1] by Newton's method from w; what leaves the bracket is halved. As slope > creep dQ/dx, what is
+ * left in excess bounds the error of Q; from 1e-12 mu P, what the bed drops, a last step leaves rounding. */
+static double root(const trial *t, double w) {
+    double a = 0, b = 1, slope;
+    if (excess(t, 1, &slope) <= 0) return 1; /* full slip */
+    for (int n = 0; n < 100; n++) {
+        double f = excess(t, w, &slope), next = w - f / slope;
+        if (f < 0)
+            a = w;
+        else
+            b = w;
+        if (fabs(f) <= 1e-12 * t->most) return fmin(fmax(next, a), b);
+        w = next > a && next < b ? next : 0.5 * (a + b);
+        if (w <= a || w >= b) return a;
     }
     return a;
 }
@@ -81,21 +84,25 @@ static double displacement(tr_bed *bed, const tr_tile *tile, const tr_law_data *
     double slide = tile->v_s[i] * tile->dt, roll = tr_creep_roll(p, tile, i), P = tile->f_elastic[i];
     if (!(roll > 0)) return slide;
     bool sphere = data->shape == TR_SHAPE_SPHERE;
-    double power = sphere ? 3 : 2, before = tr_bed_force(bed), P_before = bed->n ? bed->P[bed->n - 1] : P;
+    trial t = {.bed = bed, .delta = tile->delta[i], .P = P, .most = p->bed.mu * P, .sphere = sphere};
+    double power = sphere ? 3 : 2, before = tr_bed_force(bed, t.below), P_before = bed->n ? bed->P[bed->n - 1] : P;
     double most_before = p->bed.mu * P_before;
     double creep_before = greatest_creep(p, data->shape, bed->R1, bed->R2, P_before) * roll;
     if (!(creep_before > 0 && most_before > 0)) return slide;
-    double w = -expm1(log1p(-fabs(before) / most_before) / power);
+    double q = fabs(before) / most_before, y = sphere ? cbrt(1 - q) : sqrt(1 - q), y2 = sphere ? y * y : y;
+    double w = q / (1 + y + (sphere ? y2 : 0)); /* 1 - y, all digits */
     double k = data->normal->elastic(data->normal_par, bed->R1, bed->R2, tile->delta[i]).stiffness / bed->kappa;
-    double z = k / most_before * (creep_before / (power * pow(1 - w, power - 1)));
+    double z = k / most_before * (creep_before / (power * y2));
     double theta = z > 1e-3 ? -1 / expm1(-z) - 1 / z : 0.5 + z / 12; /* the next term is z^3/720 */
-    trial t = {.bed = bed, .delta = tile->delta[i], .P = P, .most = p->bed.mu * P, .sphere = sphere};
     t.x0 = slide - copysign((1 - theta) * creep_before * w, before);
-    double without = pushed(&t, slide), first = pushed(&t, t.x0);
-    if (first * without < 0) theta = 1, t.x0 = slide, first = without;
+    double first = pushed(&t, t.x0);
+    if (first * before < 0) { /* J rises with x: only then creep may turn it over */
+        double without = pushed(&t, slide);
+        if (first * without < 0) theta = 1, t.x0 = slide, first = without;
+    }
     t.side = first < 0 ? -1 : 1;
     t.creep = theta * greatest_creep(p, data->shape, bed->R1, bed->R2, P) * roll;
-    return t.x0 - t.side * t.creep * root(&t, -fabs(first));
+    return t.x0 - t.side * t.creep * (first == 0 ? 0 : root(&t, w));
 }
 
 static void step(tr_tile *tile, const tr_law_data *data) {
