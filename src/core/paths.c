@@ -14,10 +14,51 @@ static int lane_of(const tr_group *g, const tr_tile *tile, int a, int b) {
     return low < end && g->a[low] == a && g->b[low] == b ? low - tile->first : -1;
 }
 
+/* Histories of all. LIFE: 0 is open; below 0: not read yet. */
+enum { LIFE, SLIDE, ROLL, FORCE, FRICTION, X, Y, N_HIST };
+
+static void step_all(tr_tile *tile, const tr_sink *sink) {
+    double *h[N_HIST];
+    bool rubs = sink->group->slot[TR_FRICTION].law->step; /* else the lane may hold the other group's */
+    for (int k = 0; k < N_HIST; k++) h[k] = sink->group->hist[sink->hist + k] + tile->first;
+    for (int i = 0; i < tile->n; i++) {
+        double length = tile->R1[i] + tile->R2[i] - tile->delta[i];
+        if (!(tile->delta[i] > 0)) {
+            for (int k = 0; k < N_HIST; k++) h[k][i] = 0;
+            continue;
+        }
+        if (h[LIFE][i] == 0) h[LIFE][i] = -(double)++sink->paths->lives;
+        h[SLIDE][i] += tile->v_s[i] * tile->dt;
+        h[ROLL][i] -= 0.5 * (tile->s1[i] + tile->s2[i]) * tile->dt;
+        h[FORCE][i] = tile->f_n[i], h[FRICTION][i] = rubs ? tile->f_t[i] : 0;
+        h[X][i] = length * tile->nx[i], h[Y][i] = length * tile->ny[i];
+    }
+}
+
+bool tr_paths_life(tr_group *g, int i, tr_path_life *life) {
+    double **h = g->hist + g->paths_sink.hist;
+    if (h[LIFE][i] == 0) return false;
+    if (h[LIFE][i] < 0) h[LIFE][i] = -h[LIFE][i], g->paths_sink.paths->taken++;
+    *life = (tr_path_life){.a = g->walls ? -1 - g->a[i] : g->a[i],
+                           .b = g->b[i],
+                           .life = h[LIFE][i],
+                           .R1 = g->pair[0][i],
+                           .R2 = g->pair[1][i],
+                           .slide = h[SLIDE][i],
+                           .roll = h[ROLL][i],
+                           .P = h[FORCE][i],
+                           .Q = h[FRICTION][i],
+                           .x = h[X][i],
+                           .y = h[Y][i]};
+    h[SLIDE][i] = h[ROLL][i] = 0;
+    return true;
+}
+
 static void step(tr_tile *tile, const tr_law_data *data) {
     const tr_sink *sink = data->par;
     const tr_group *g = sink->group;
     tr_paths *paths = sink->paths;
+    if (paths->all) step_all(tile, sink);
     for (int k = 0; k < paths->picks.n; k++) {
         tr_scene_pick pick = paths->picks.item[k];
         if ((pick.a < 0) != g->walls) continue;
@@ -35,7 +76,7 @@ void tr_paths_attach(tr_world *world, tr_paths *paths) {
     for (int k = 0; k < 2; k++) {
         tr_group *g = &world->group[k];
         g->paths_sink.paths = paths;
-        tr_group_attach(g, &g->paths_sink, "paths", step, 0);
+        tr_group_attach(g, &g->paths_sink, "paths", step, paths->all ? N_HIST : 0);
     }
 }
 

@@ -3,7 +3,10 @@
  *
  *   u_slide += Vs dt,   u_roll += -(s1 + s2)/2 dt    while they touch,    P = f_n
  *
- * with the Vs, s1, s2, dt and f_n that the laws had, so that kind: contact gives the same forces along it. */
+ * with the Vs, s1, s2, dt and f_n that the laws had, so that kind: contact gives the same forces along it.
+ *
+ * Or all contacts, each for itself: then sums and state are histories of the group, which follow the contact and are in its
+ * checkpoints. A life of a contact is from where it touches to where it opens; lives are numbered from 1 as they begin. */
 #ifndef TR_CORE_PATHS_H
 #define TR_CORE_PATHS_H
 
@@ -17,12 +20,25 @@ typedef struct tr_path_point {
 struct tr_paths {
     tr_scene_picks picks; /* none of them most-mobilised */
     tr_path_point now[TR_MAX_PICKS];
+    bool all;
+    int64_t lives, taken; /* of all: begun so far; of them read at least once */
 };
 
-/* Follows paths->picks from here on; *paths must outlive the world's laws. Call it after the laws are set. */
+/* A touching contact, and how far it has slid and rolled since it was last read, or since it touched. */
+typedef struct tr_path_life {
+    int a, b; /* disks; a = -1-w for wall w */
+    double life, R1, R2;
+    double slide, roll, P, Q;
+    double x, y; /* branch: from the centre of a, from the foot at a wall, to the centre of b [m] */
+} tr_path_life;
+
+/* Follows paths->picks, and all if it is set, from here on; *paths must outlive the world's laws. Call it after the laws are set. */
 void tr_paths_attach(tr_world *world, tr_paths *paths);
 
 /* After every tr_step_forces: the state of contact k. */
 tr_path_point tr_paths_take(tr_paths *paths, int k);
+
+/* After tr_step_forces, of all: contact i of group->n. False: it is open. */
+bool tr_paths_life(tr_group *group, int i, tr_path_life *life);
 
 #endif

@@ -81,6 +81,7 @@ typedef struct tr_scene_output {
     int rows;             /* rows of history.csv */
     int contacts;         /* instants at which contacts.csv lists the contacts */
     int color;            /* tr_color: field that colours frames */
+    int path_rows;        /* instants of paths.csv, which lists all contacts; 0: none */
     bool energy;          /* keep the energy ledger */
     bool curves;          /* draw history.csv or contact.csv with gnuplot; not bodies */
     tr_scene_picks paths; /* contacts whose path is written to paths/NAME.csv */

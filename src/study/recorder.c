@@ -31,11 +31,14 @@ tr_scene_pick tr_recorder_most(tr_world *world, tr_status *st) {
 }
 
 bool tr_recorder_open(tr_recorder *r, const tr_scene *scene, tr_scene_pick most, tr_world *world, const char *dir,
-                      const char *prefix, bool resume, tr_run_report *report, tr_status *st) {
+                      const char *prefix, int64_t total, bool resume, tr_run_report *report, tr_status *st) {
     const tr_scene_picks *picks = &scene->output.paths;
-    *r = (tr_recorder){.shape = scene->shape, .dt = world->dt, .report = report};
-    if (!picks->n) return true;
-    if (!tr_dir_make(dir, "paths", st)) return false;
+    bool (*open)(tr_file *, const char *, const char *, tr_status *) = resume ? tr_file_reopen : tr_file_open;
+    *r = (tr_recorder){.shape = scene->shape, .total = total, .world = world, .dt = world->dt, .report = report};
+    r->n_rows = scene->output.path_rows > total ? (int)total + 1 : scene->output.path_rows;
+    r->paths.all = r->n_rows > 0;
+    if (r->paths.all && !open(&r->all, dir, "paths.csv", st)) return false;
+    if (picks->n && !tr_dir_make(dir, "paths", st)) return false;
     for (int k = 0; k < picks->n; k++) {
         tr_scene_pick pick = picks->item[k];
         char name[TR_PICK_NAME], file[TR_PICK_NAME + 16];
@@ -51,10 +54,10 @@ bool tr_recorder_open(tr_recorder *r, const tr_scene *scene, tr_scene_pick most,
             tr_run_note(report, "most-mobilised is %s; the case was run twice to find it", name);
         }
         int n = r->paths.picks.n;
-        if (!(resume ? tr_file_reopen : tr_file_open)(&r->item[n].file, dir, file, st)) return false;
+        if (!open(&r->item[n].file, dir, file, st)) return false;
         r->paths.picks.item[r->paths.picks.n++] = pick;
     }
-    tr_paths_attach(world, &r->paths);
+    if (picks->n || r->paths.all) tr_paths_attach(world, &r->paths);
     return true;
 }
 
@@ -71,6 +74,10 @@ void tr_recorder_checkpoint(tr_recorder *r, tr_checkpoint *c) {
         TR_KEEP(c, &item->touched, 1);
         tr_file_checkpoint(&item->file, c);
     }
+    TR_KEEP(c, &r->rows, 1);
+    TR_KEEP(c, &r->paths.lives, 1);
+    TR_KEEP(c, &r->paths.taken, 1);
+    tr_file_checkpoint(&r->all, c);
 }
 
 static bool write_point(const tr_recorder *r, struct tr_recorded *c, int64_t step, const double now[CHANNELS],
@@ -103,9 +110,28 @@ static bool look(const tr_recorder *r, struct tr_recorded *c, tr_path_point poin
     return !(first || turns) || write_point(r, c, r->steps, now, st);
 }
 
+/* One instant of paths.csv. Nine digits: the sums of a whole life are then good to 1e-9 of its largest part. */
+static bool write_all(tr_recorder *r, tr_status *st) {
+    FILE *out = r->all.stream;
+    const char *force = r->shape == TR_SHAPE_SPHERE ? "N" : "N_per_m";
+    if (!r->rows++)
+        fprintf(out, "time_s,life,a,b,R1_m,R2_m,du_slide_m,du_roll_m,P_%s,Q_%s,branch_x_m,branch_y_m\n", force, force);
+    for (int k = 0; k < 2; k++) {
+        tr_group *g = &r->world->group[k];
+        for (int i = 0; i < g->n; i++) {
+            tr_path_life c;
+            if (!tr_paths_life(g, i, &c)) continue;
+            fprintf(out, "%.9g,%.0f,%d,%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", (double)(r->steps - 1) * r->dt,
+                    c.life, c.a, c.b, c.R1, c.R2, c.slide + 0.0, c.roll + 0.0, c.P, c.Q + 0.0, c.x, c.y);
+        }
+    }
+    return tr_file_check(&r->all, st);
+}
+
 bool tr_recorder_step(tr_recorder *r, tr_status *st) {
     r->steps++;
     bool ok = true;
+    if (r->paths.all && tr_run_is_due(r->rows, r->n_rows, r->steps - 1, r->total)) ok = write_all(r, st);
     for (int k = 0; ok && k < r->paths.picks.n; k++) ok = look(r, &r->item[k], tr_paths_take(&r->paths, k), st);
     return ok;
 }
@@ -117,6 +143,13 @@ tr_path_point tr_recorder_now(const tr_recorder *r, int k) {
 
 void tr_recorder_close(tr_recorder *r, tr_status *st) {
     char apart[160] = "";
+    if (r->rows)
+        tr_file_commit(&r->all, st);
+    else
+        tr_file_discard(&r->all);
+    if (r->rows && r->paths.taken < r->paths.lives)
+        tr_run_note(r->report, "paths.csv has %lld contacts, of %lld; the others were there between two instants only",
+                    (long long)r->paths.taken, (long long)r->paths.lives);
     for (int k = 0; k < r->paths.picks.n; k++) {
         struct tr_recorded *c = &r->item[k];
         char name[TR_PICK_NAME];

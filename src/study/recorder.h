@@ -13,7 +13,14 @@
  * tolerance at most: |Q - recorded| <= 2/500 (range of Q + mu max P), which does not grow with the number of rows. Laws
  * that creep are of first order in the rows as they are in the steps.
  *
- * time_s counts from a step before the first row: a row is the end of a step, in the first of which nothing moves. */
+ * time_s counts from a step before the first row: a row is the end of a step, in the first of which nothing moves.
+ *
+ * paths.csv, with output.path_rows: N: ALL contacts of disks and of walls (a = -1-w) at N instants evenly spread from start to
+ * end, in the order of time; du_slide and du_roll are sums over the steps since the row before of this contact, or since it
+ * touched. The sums make the end points of the path exact; the way between two rows is not kept. P and Q are those of the
+ * instant. A contact that opens and touches again is another life, with a number of its own; one that lives between two
+ * instants has a number but no row, and a note counts them. What a contact does after its last row is not there. branch: from
+ * the centre of a (of a wall: from the contact) to that of b, so that sum (P n - Q t)_i branch_j is area times stress. */
 #ifndef TR_RECORDER_H
 #define TR_RECORDER_H
 
@@ -27,6 +34,10 @@ typedef struct tr_recorder {
     tr_paths paths;
     tr_shape shape;
     int64_t steps; /* looked at */
+    int64_t total; /* of the run */
+    int rows, n_rows;
+    tr_file all; /* paths.csv */
+    tr_world *world;
     double dt;
     tr_run_report *report;
     struct tr_recorded {
@@ -38,10 +49,10 @@ typedef struct tr_recorder {
     } item[TR_MAX_PICKS];
 } tr_recorder;
 
-/* most: what most-mobilised stands for; a == b: there is none. prefix: of the names of the files. The recorder must not
+/* total: steps of the run, for path_rows. most: what most-mobilised stands for; a == b: there is none. prefix: of the names of the files. The recorder must not
  * move until it is closed. */
 bool tr_recorder_open(tr_recorder *r, const tr_scene *scene, tr_scene_pick most, tr_world *world, const char *dir,
-                      const char *prefix, bool resume, tr_run_report *report, tr_status *st);
+                      const char *prefix, int64_t total, bool resume, tr_run_report *report, tr_status *st);
 /* After it, where resume says that the files are to go on. */
 void tr_recorder_checkpoint(tr_recorder *r, tr_checkpoint *c);
 bool tr_recorder_step(tr_recorder *r, tr_status *st);  /* after every tr_step_forces */

@@ -276,8 +276,8 @@ static bool prepare(test *t, tr_status *st) {
     if (small || t->view.color == TR_COLOR_SPIN) t->view.fill = t->fill;
     t->b.world.contact_updates = 0;
     bool ok = tr_outputs_open(&t->out, t->scene, t->options, "biaxial.mp4", t->b.shear_steps, compacted, report, st) &&
-              tr_recorder_open(&t->out.recorder, t->scene, t->most, &t->b.world, t->options->dir, "", compacted, report,
-                               st) &&
+              tr_recorder_open(&t->out.recorder, t->scene, t->most, &t->b.world, t->options->dir, "", t->b.shear_steps,
+                               compacted, report, st) &&
               (!t->scene->output.contacts ||
                (compacted ? tr_file_reopen : tr_file_open)(&t->disks, t->options->dir, "disks.csv", st));
     if (ok) open_inset(t);

@@ -175,7 +175,7 @@ static bool open_outputs(show *s, tr_status *st) {
         tr_play *p = s->cast.play[i];
         char prefix[16] = "";
         if (s->cast.n > 1) snprintf(prefix, sizeof prefix, "%d-", i);
-        if (!tr_recorder_open(&p->recorder, s->scene, s->most[i], &p->b.world, s->options->dir, prefix, false,
+        if (!tr_recorder_open(&p->recorder, s->scene, s->most[i], &p->b.world, s->options->dir, prefix, 0, false,
                               s->report, st))
             return false;
         tr_status why = {0};
