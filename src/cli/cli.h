@@ -12,6 +12,7 @@ int tr_cli_bench(int argc, char **argv);
 int tr_cli_measures(int argc, char **argv);
 int tr_cli_verify(int argc, char **argv);
 int tr_cli_sweep(int argc, char **argv);
+int tr_cli_replay(int argc, char **argv);
 
 /* Prints the message of a failure on stderr and returns its code. */
 int tr_cli_fail(const tr_status *st);

@@ -15,10 +15,11 @@
 /* All that a run writes, the mark of a finished run first, then what counts on the rest: an interrupted removal leaves an
  * unfinished run that starts afresh. */
 static const char *const results[] = {
-    "summary.json", "checkpoint.bin", "checkpoint.bin.old", "history.csv", "contacts.csv", "disks.csv",
-    "case.yaml",    "plot.gp",        "biaxial.svg",        "biaxial.png", "biaxial.mp4",  "biaxial.gif",
-    "bodies.mp4",   "bodies.gif",     "contact.csv",        "contact.svg", "contact.png",  "patch.csv",
-    "patch.mp4",    "patch.gif",      "still.png",          "paths.csv"};
+    "summary.json",     "checkpoint.bin", "checkpoint.bin.old", "history.csv", "contacts.csv", "disks.csv",
+    "case.yaml",        "plot.gp",        "biaxial.svg",        "biaxial.png", "biaxial.mp4",  "biaxial.gif",
+    "bodies.mp4",       "bodies.gif",     "contact.csv",        "contact.svg", "contact.png",  "patch.csv",
+    "patch.mp4",        "patch.gif",      "still.png",          "paths.csv",   "replay.csv",   "replay-errors.csv",
+    "replay-stress.csv"};
 
 bool tr_dir_path(char path[TR_PATH], const char *dir, const char *name, tr_status *st) {
     if (snprintf(path, TR_PATH, "%s/%s", dir, name) < TR_PATH) return true;
