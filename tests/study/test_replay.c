@@ -1,10 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* output.path_rows: paths.csv against contacts.csv and against the path of single contacts of the same run. */
+/* output.path_rows: paths.csv against contacts.csv and against the path of single contacts of the same run. Its replay: the
+ * run's own law against the run's Q, the half-plane and the laws against closed forms on made-up paths, the stress against that
+ * of the walls. */
 #include "assert_close.h"
 #include "laws/law.h"
 #include "study/csv.h"
+#include "study/replay.h"
 #include "study/run.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -133,6 +137,257 @@ static void sums_do_not_depend_on_the_rows(void **state) {
     free(one.row);
 }
 
+/* ---- the replay */
+
+static tr_run_report said;
+
+/* Of folder/run, its tables into folder/to. */
+static tr_replay replay(const char *run, const char *to, int jobs, int elements, int every) {
+    tr_replay r;
+    tr_status st = {0};
+    char from[100], dir[100];
+    snprintf(from, sizeof from, "%s/%s", folder, run), snprintf(dir, sizeof dir, "%s/%s", folder, to);
+    const tr_replay_options o = {.run = from, .dir = dir, .jobs = jobs, .elements = elements, .every = every};
+    said = (tr_run_report){0};
+    if (!tr_replay_run(&r, &o, &said, &st) || !tr_replay_write(&r, &o, &said, &st)) fail_msg("%s", st.text);
+    return r;
+}
+
+static double Q_of(const tr_replay *r, int row, int law) {
+    return r->Q[(size_t)row * (size_t)r->n_columns + (size_t)law];
+}
+
+static int law_of(const tr_replay *r, const char *name) {
+    int k = TR_REPLAY_OWN + 1;
+    while (k < r->n_columns && strcmp(r->name[k], name)) k++;
+    assert_true(k < r->n_columns);
+    return k;
+}
+
+#define SHORT                                                                                                          \
+    "kind: biaxial\nseed: 3\nsample: {disks: 30, r_min: 0.76 mm, r_max: 1.52 mm}\n"                                    \
+    "contact: {normal: hertz-line, rolling: none, " CREEP "}\n"                                                        \
+    "compaction: {pressure: 160 kPa, inertial_number: 0.1, unbalanced: 1e-2}\n"                                        \
+    "shear: {inertial_number: 3e-3, strain_end: 0.01}\noutput: {frames: 0, curves: no, path_rows: "
+
+/* rms of (Q of the run's law, replayed - Q of the run)/(mu P) over all rows of disks. */
+static double own_error(const char *text) {
+    double sum = 0;
+    int n = 0;
+    run_case(text, "own");
+    tr_replay r = replay("own", "own", 2, 4, 1);
+    for (int i = 0; i < r.n_rows; i++) {
+        if (r.row[i].a < 0 || !(r.row[i].P > 0)) continue;
+        double e = (Q_of(&r, i, TR_REPLAY_OWN) - r.row[i].Q) / (r.mu * r.row[i].P);
+        sum += e * e, n++;
+    }
+    tr_replay_free(&r);
+    assert_true(n > 100);
+    return sqrt(sum / n);
+}
+
+/* With a row for every step the replay is the run, but that a weak contact, as it forms or opens, takes some steps from one row to
+ * the next. With fewer rows the way within a row is made up. */
+static void own_law_reproduces_the_run(void **state) {
+    (void)state;
+    double every = own_error(SHORT "1000000}\n"), many = own_error(SHORT "400}\n"), some = own_error(SHORT "100}\n"),
+           few = own_error(SHORT "20}\n");
+    print_message("rms error, of mu P: every step %.1e, 400 rows %.1e, 100 %.1e, 20 %.1e\n", every, many, some, few);
+    assert_true(every < 1e-4);
+    assert_true(every < many && many < some && some < few);
+    assert_true(some < 0.05);
+}
+
+/* ---- made-up paths in the place of those of a run */
+
+enum { ROWS = 40, SPIN = 40, ELEMENTS = 100 };
+static const double R_1 = 1e-3, R_2 = 3e-3, P_0 = 300, MU = 0.4, E_STAR = 400e6;
+
+/* The share of full slip that Cattaneo's contact has taken when it has slid u, with beta = 0 rolling; by bisection of
+ * u = (2 mu P/(pi E_star)) (q (Lambda + 1/2) + (1 - q) ln(1 - q)/2). */
+static double cattaneo(double u, double Lambda) {
+    double low = 0, high = 1, unit = 2 * MU * P_0 / (M_PI * E_STAR);
+    for (int n = 0; n < 60; n++) {
+        double q = 0.5 * (low + high);
+        *(unit * (q * (Lambda + 0.5) + 0.5 * (1 - q) * log(1 - q)) < u ? &low : &high) = q;
+    }
+    return low;
+}
+
+/* Life 1 slides, life 2 slides the other way, life 3 rolls 40 a at the creepage xi, life 4 is of a wall, life 5 slides far. */
+static void closed_forms(void **state) {
+    (void)state;
+    const double R = R_1 * R_2 / (R_1 + R_2), a = sqrt(4 * P_0 * R / (M_PI * E_STAR)), d = 2 * sqrt(R_1 * R_2) / M_E;
+    const double Lambda = log(2 * d / a), slip = 2 * MU * P_0 / (M_PI * E_STAR) * (Lambda + 0.5), F0 = MU * a / R,
+                 xi = 0.5 * F0;
+    char path[100];
+    run_case(SHORT "3}\n", "made-up");
+    snprintf(path, sizeof path, "%s/made-up/paths.csv", folder);
+    FILE *f = fopen(path, "w");
+    assert_non_null(f);
+    for (int c = 0; c < N_COLUMNS; c++) fprintf(f, "%s%c", columns[c], c + 1 < N_COLUMNS ? ',' : '\n');
+    const double slide[] = {0.8 * slip / (ROWS - 1), -0.8 * slip / (ROWS - 1), xi * SPIN * a / (ROWS - 1), 0, slip};
+    for (int i = 0; i < ROWS; i++)
+        for (int life = 1; life <= 5; life++)
+            fprintf(f, "%d,%d,%d,9,%.17g,%.17g,%.17g,%.17g,%.17g,0,1,0\n", i, life, life == 4 ? -1 : life, R_1, R_2,
+                    i ? slide[life - 1] : 0, i && life == 3 ? -SPIN * a / (ROWS - 1) : 0, P_0);
+    assert_int_equal(fclose(f), 0);
+    tr_replay r = replay("made-up", "made-up", 1, ELEMENTS, 1);
+    assert_int_equal(r.n_lives, 5);
+    assert_false(r.life[3].done);
+    int spring = law_of(&r, "coulomb-spring"), bed = law_of(&r, "cattaneo-mindlin"),
+        dahlberg = law_of(&r, "dahlberg-alfredsson"), kuhn = law_of(&r, "kuhn-creep");
+    double work = 0, full = 0;
+    for (int i = 0; i < ROWS; i++) {
+        double u = i * slide[0], Q = MU * P_0 * cattaneo(u, Lambda),
+               before = i ? MU * P_0 * cattaneo(u - slide[0], Lambda) : 0;
+        work += 0.5 * (Q + before) * (i ? slide[0] : 0), full += MU * P_0 * (i ? slide[0] : 0);
+        /* the law is the closed form (the approach of hertz-line has the same logarithm); elements: 1e-3 at 200 */
+        assert_close(Q_of(&r, i, bed), Q, 1e-9, 1e-9);
+        assert_close(Q_of(&r, i, TR_REPLAY_EXACT), Q, 0, 3e-3 * MU * P_0);
+        assert_close(Q_of(&r, ROWS + i, TR_REPLAY_EXACT), -Q, 0, 3e-3 * MU * P_0);
+        assert_close(Q_of(&r, i, spring), fmin(r.k_t * u, MU * P_0), 1e-9, 1e-9);
+        assert_close(Q_of(&r, i, dahlberg), fmin(r.k_t * u, MU * P_0), 1e-9, 1e-9); /* nothing rolls */
+    }
+    assert_close(r.life[0].full, full, 1e-9, 0);
+    assert_close(r.life[0].work[bed], work, 1e-3, 0); /* rows of 2 % of slip, steps of less */
+    assert_close(r.life[1].work[TR_REPLAY_EXACT], work, 5e-3, 0);
+    assert_close(
+        r.k_t,
+        M_PI * E_STAR /
+            (2 * log(2 * (2 * 0.5 * (R_1 + R_2) / M_E) / sqrt(4 * P_0 * 0.25 * (R_1 + R_2) / (M_PI * E_STAR)))),
+        1e-9, 0);
+    /* Carter: q = 1 - (1 - xi/F0)^2 in the end. Of Dahlberg's way there exp(-2 (40/Lambda - 1/2)), e^-16, is left; elements of
+     * a/50 are some 0.003 off */
+    int end = 3 * ROWS - 1;
+    double q = 0.75;
+    assert_close(Q_of(&r, end, TR_REPLAY_EXACT) / (MU * P_0), q, 0, 0.005);
+    assert_close(Q_of(&r, end, dahlberg) / (MU * P_0), q, 1e-5, 0);
+    assert_close(Q_of(&r, end, kuhn) / (MU * P_0), q, 1e-5, 0);
+    assert_close(Q_of(&r, end, bed) / (MU * P_0), cattaneo(fmin(SPIN * a * xi, slip * (1 - 1e-12)), Lambda), 1e-6, 0);
+    assert_close(r.rolled[end], SPIN, 1e-9, 0);
+    /* far beyond full slip: all take mu P |du|, less the way to it, which is half of slip for a spring of full slip at most */
+    assert_close(r.life[4].work[TR_REPLAY_EXACT] / r.life[4].full, 1, 0.02, 0);
+    assert_close(Q_of(&r, 5 * ROWS - 1, TR_REPLAY_EXACT), MU * P_0, 1e-9, 0);
+    tr_replay_free(&r);
+}
+
+/* replay-errors.csv of the made-up paths: each class has its rows, and the largest and median are found by counting. */
+static void errors_by_class(void **state) {
+    (void)state;
+    static const char *const of_errors[] = {"n", "median", "max", "up_to"};
+    tr_replay r = replay("made-up", "made-up", 1, 20, 1);
+    table t = read_table("made-up/replay-errors.csv", of_errors, 4);
+    double largest = 0;
+    for (int i = 0; i < r.n_rows; i++)
+        if (r.row[i].a >= 0)
+            largest = fmax(largest, fabs(Q_of(&r, i, TR_REPLAY_OWN) - Q_of(&r, i, TR_REPLAY_EXACT)) / (MU * P_0));
+    assert_int_equal(t.row[0][0], 4 * ROWS);
+    assert_close(t.row[0][2], largest, 1e-5, 0); /* six digits */
+    int below = 0, n[2] = {0};
+    for (int i = 0; i < r.n_rows; i++)
+        if (r.row[i].a >= 0)
+            below += fabs(Q_of(&r, i, TR_REPLAY_OWN) - Q_of(&r, i, TR_REPLAY_EXACT)) / (MU * P_0) <=
+                     t.row[0][1] * (1 + 1e-5);
+    assert_in_range(below, 2 * ROWS, 2 * ROWS + 8); /* half of them; some are alike */
+    for (int k = 1, by = -1; k < t.n && by < 2; k++) {
+        by += k == 1 || isinf(t.row[k - 1][3]); /* a class up to infinity is the last of its kind */
+        if (by < 2) n[by] += (int)t.row[k][0];
+    }
+    assert_int_equal(n[0], 4 * ROWS), assert_int_equal(n[1], 4 * ROWS);
+    free(t.row), tr_replay_free(&r);
+}
+
+/* sum f_i l_j over the contacts, with those of walls, is wall force times length, but for inertia (I = 1e-3) and for the
+ * instants: history.csv has means over the steps between its rows. Means of 100. */
+static void stress_is_that_of_the_walls(void **state) {
+    (void)state;
+    static const char *const of_history[] = {"sin_phi", "strain"}, *const of_stress[] = {"sin_phi_run", "strain",
+                                                                                         "sin_phi_run-replayed"};
+    run_case(BIAXIAL(CREEP) "output: {frames: 0, curves: no, path_rows: 101, rows: 101}\n", "stress");
+    tr_replay r = replay("stress", "stress", 2, 12, 1);
+    table h = read_table("stress/history.csv", of_history, 2), s = read_table("stress/replay-stress.csv", of_stress, 3);
+    double walls = 0, contacts = 0;
+    assert_int_equal(h.n, 101);
+    assert_int_equal(s.n, 101);
+    for (int i = 1; i < 101; i++) {
+        walls += h.row[i][0] / 100, contacts += s.row[i][0] / 100;
+        assert_close(h.row[i][1], s.row[i][1], 1e-3, 1e-4);
+    }
+    print_message("sin phi of walls %.4f, of contacts %.4f\n", walls, contacts);
+    assert_close(contacts, walls, 0, 0.004);
+    free(h.row), free(s.row), tr_replay_free(&r);
+}
+
+static void compare_files(const char *one, const char *other) {
+    char command[300];
+    snprintf(command, sizeof command, "cmp %s/%s %s/%s", folder, one, folder, other);
+    assert_int_equal(system(command), 0);
+}
+
+static void the_same_with_any_number_of_jobs(void **state) {
+    (void)state;
+    const int jobs[] = {1, 2, 5};
+    const char *const files[] = {"replay.csv", "replay-errors.csv", "replay-stress.csv"};
+    for (int k = 0; k < 3; k++) {
+        char to[20], one[60], other[60];
+        snprintf(to, sizeof to, "jobs-%d", jobs[k]);
+        tr_replay r = replay("stress", to, jobs[k], 6, 1);
+        tr_replay_free(&r);
+        for (int i = 0; i < 3; i++) {
+            snprintf(one, sizeof one, "jobs-1/%s", files[i]), snprintf(other, sizeof other, "%s/%s", to, files[i]);
+            compare_files(one, other);
+        }
+    }
+}
+
+/* Every third: the lives 0, 3, 6, ... of the whole, and no stress of a part. */
+static void a_sample(void **state) {
+    (void)state;
+    static const char *const of_lives[] = {"a", "b", "from_s", "run-replayed_rms"};
+    tr_replay r = replay("stress", "sample", 2, 6, 3);
+    tr_replay_free(&r);
+    table all = read_table("jobs-1/replay.csv", of_lives, 4), part = read_table("sample/replay.csv", of_lives, 4);
+    assert_in_range(part.n, all.n / 4, all.n / 2);
+    for (int i = 0, k = 0; i < part.n; i++, k++) {
+        while (k < all.n && memcmp(all.row[k], part.row[i], 4 * sizeof(double))) k++;
+        assert_true(k < all.n);
+    }
+    char path[100];
+    snprintf(path, sizeof path, "%s/sample/replay-stress.csv", folder);
+    assert_int_equal(access(path, F_OK), -1);
+    free(all.row), free(part.row);
+}
+
+static tr_code fails(const char *run, const volatile sig_atomic_t *stop, const char *message) {
+    tr_replay r;
+    tr_status st = {0};
+    char from[100];
+    snprintf(from, sizeof from, "%s/%s", folder, run);
+    assert_false(tr_replay_run(
+        &r, &(tr_replay_options){.run = from, .dir = from, .jobs = 2, .elements = 6, .every = 1, .stop = stop}, &said,
+        &st));
+    if (!strstr(st.text, message)) fail_msg("%s", st.text);
+    tr_replay_free(&r);
+    return st.code;
+}
+
+static void what_cannot_be_replayed(void **state) {
+    (void)state;
+    volatile sig_atomic_t stop = 1;
+    said = (tr_run_report){0};
+    assert_int_equal(fails("stress", &stop, "stopped"), TR_INTERRUPTED);
+    assert_int_equal(fails("nowhere", NULL, "case.yaml"), TR_FILE);
+    run_case(BIAXIAL(CREEP) "output: {frames: 0, curves: no}\n", "none");
+    assert_int_equal(fails("none", NULL, "output.path_rows"), TR_BAD_CASE);
+    char path[100];
+    snprintf(path, sizeof path, "%s/made-up/paths.csv", folder);
+    FILE *f = fopen(path, "a");
+    fputs("39,1,1,9,0.001,0.003,0,0,-5,0,1,0\n", f);
+    fclose(f);
+    assert_int_equal(fails("made-up", NULL, "paths.csv:202: error: no such contact"), TR_BAD_CASE);
+}
+
 static int open_folder(void **state) {
     (void)state;
     return mkdtemp(folder) ? 0 : -1;
@@ -147,6 +402,13 @@ static int close_folder(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(last_instant_is_contacts_csv),
-                                       cmocka_unit_test(sums_do_not_depend_on_the_rows)};
+                                       cmocka_unit_test(sums_do_not_depend_on_the_rows),
+                                       cmocka_unit_test(own_law_reproduces_the_run),
+                                       cmocka_unit_test(closed_forms),
+                                       cmocka_unit_test(errors_by_class),
+                                       cmocka_unit_test(stress_is_that_of_the_walls),
+                                       cmocka_unit_test(the_same_with_any_number_of_jobs),
+                                       cmocka_unit_test(a_sample),
+                                       cmocka_unit_test(what_cannot_be_replayed)};
     return cmocka_run_group_tests_name("replay", tests, open_folder, close_folder);
 }
