@@ -24,7 +24,7 @@ LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o)
 CLI_OBJ  := $(CLI_SRC:%=$(BUILD)/%.o)
 TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all biaxial figures wang bands features bench bench-peers demos gallery verify test test-slurm install asan lint format clean help packages-% build-all run-demos run-tests
+.PHONY: all biaxial figures wang bands replay features bench bench-peers demos gallery verify test test-slurm install asan lint format clean help packages-% build-all run-demos run-tests
 .SECONDARY:
 
 all: packages-build
@@ -56,6 +56,11 @@ features: packages-build
 bands: packages-build
 	@$(MAKE) --no-print-directory build-all
 	@$(MAKE) --no-print-directory out/figures/shear-bands.png
+
+# Minutes.
+replay: packages-build
+	@$(MAKE) --no-print-directory build-all
+	@$(MAKE) --no-print-directory out/figures/replay.png
 
 # Minutes. Measures anew each time, too.
 bench: packages-build
@@ -123,6 +128,7 @@ help:
 	@echo 'make features  build, measure what each feature and each law costs, and draw it: out/figures/features.png'
 	@echo 'make wang      build, sweep the biaxial test as Wang did, and judge each claim: out/wang/; SEEDS=3 for a minute of it'
 	@echo 'make bands     build, shear 10,000 disks without and with rolling resistance, and draw where they turn; minutes'
+	@echo 'make replay    build, take the contacts of a biaxial test through the exact half-plane and every law, and draw errors; minutes'
 	@echo 'make bench     build, measure a step of 100 to 1000000 disks, and draw it: out/figures/bench.png; minutes'
 	@echo 'make bench-peers  the same packing here and in LAMMPS, if that is installed: time of a step and ratio'
 	@echo 'make demos     build, and run all cases but the biaxial tests into out/demos/, those that have changed'
@@ -190,6 +196,14 @@ out/bands/mu_r-%/summary.json: cases/shear-bands.yaml $(TRUNDLE)
 out/figures/shear-bands.png: $(wildcard figures/bands/*) out/bands/mu_r-0/summary.json out/bands/mu_r-0.5/summary.json
 	@mkdir -p $(@D)
 	figures/bands/shear-bands.sh out/bands $@
+
+out/biaxial-replay/summary.json: cases/biaxial-replay.yaml $(TRUNDLE)
+	./$(TRUNDLE) run $< -o $(@D) --force
+out/figures/replay.png: figures/replay/replay.gp out/biaxial-replay/summary.json
+	@mkdir -p $(@D)
+	./$(TRUNDLE) replay out/biaxial-replay
+	gnuplot -d -e 'dir = "out/biaxial-replay"; set output "$@"' \
+	    -e 'set terminal pngcairo size 1500,1200 font "DejaVu Sans,18" enhanced rounded' $<
 
 # A demonstration is a case; its mark, NAME.done, says that it ran without an error. DEMO_FLAGS: for trundle run.
 OUT   := out

@@ -23,6 +23,12 @@ void tr_cli_name(const char *file, char *name, size_t size);
 /* A file that the user has named by its path. */
 bool tr_cli_open(tr_file *file, const char *path, tr_status *st);
 
+/* An argument that is a whole number from low to high; ends the program otherwise. what: names it. */
+struct argp_state;
+int tr_cli_whole(const char *text, int low, int high, const char *what, struct argp_state *state);
+
+int tr_cli_processors(void); /* that this process may use */
+
 /* Ctrl-C: from here on the first one asks to stop by setting the flag, a second one kills. */
 const volatile sig_atomic_t *tr_cli_stop(void);
 

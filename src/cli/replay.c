@@ -4,9 +4,7 @@
 
 #include "study/replay.h"
 #include <argp.h>
-#include <sched.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 enum { EVERY = 1000 };
 
@@ -18,24 +16,16 @@ static const struct argp_option options[] = {
     {0},
 };
 
-static int whole(const char *text, int low, int high, const char *what, struct argp_state *state) {
-    char *end;
-    long value = strtol(text, &end, 10);
-    if (end == text || *end || value < low || value > high)
-        argp_error(state, "%s must be a whole number, %d to %d, not `%.40s`", what, low, high, text);
-    return (int)value;
-}
-
 static error_t parse(int key, char *value, struct argp_state *state) {
     tr_replay_options *o = state->input;
     if (key == 'o')
         o->dir = value;
     else if (key == 'j')
-        o->jobs = whole(value, 1, 4096, "-j", state);
+        o->jobs = tr_cli_whole(value, 1, 4096, "-j", state);
     else if (key == 'n')
-        o->elements = whole(value, 3, 4000, "-n", state);
+        o->elements = tr_cli_whole(value, 3, 4000, "-n", state);
     else if (key == EVERY)
-        o->every = whole(value, 1, 1000000000, "--every", state);
+        o->every = tr_cli_whole(value, 1, 1000000000, "--every", state);
     else if (key == ARGP_KEY_ARG && !o->run)
         o->run = value;
     else if (key == ARGP_KEY_ARG)
@@ -49,13 +39,9 @@ static error_t parse(int key, char *value, struct argp_state *state) {
 
 int tr_cli_replay(int argc, char **argv) {
     static tr_run_report report;
-    cpu_set_t set;
     tr_progress progress = tr_progress_begin();
-    tr_replay_options o = {.jobs = sched_getaffinity(0, sizeof set, &set) ? 1 : CPU_COUNT(&set),
-                           .elements = 60,
-                           .every = 1,
-                           .progress = tr_progress_show,
-                           .context = &progress};
+    tr_replay_options o = {
+        .jobs = tr_cli_processors(), .elements = 60, .every = 1, .progress = tr_progress_show, .context = &progress};
     argp_err_exit_status = TR_BAD_CASE;
     const struct argp argp = {
         options,

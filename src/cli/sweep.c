@@ -4,7 +4,6 @@
 
 #include "study/sweep.h"
 #include <argp.h>
-#include <sched.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -29,14 +28,6 @@ static const struct argp_option options[] = {
     {0},
 };
 
-static int whole(const char *text, int low, int high, const char *what, struct argp_state *state) {
-    char *end;
-    long value = strtol(text, &end, 10);
-    if (end == text || *end || value < low || value > high)
-        argp_error(state, "%s must be a whole number, %d to %d, not `%.40s`", what, low, high, text);
-    return (int)value;
-}
-
 static error_t parse(int key, char *value, struct argp_state *state) {
     arguments *a = state->input;
     switch (key) {
@@ -44,10 +35,10 @@ static error_t parse(int key, char *value, struct argp_state *state) {
         a->dir = value;
         break;
     case 'j':
-        a->jobs = whole(value, 1, MAX_JOBS, "-j", state);
+        a->jobs = tr_cli_whole(value, 1, MAX_JOBS, "-j", state);
         break;
     case INDEX:
-        a->index = whole(value, 0, 1000000000, "--index", state);
+        a->index = tr_cli_whole(value, 0, 1000000000, "--index", state);
         break;
     case LIST:
         a->list = true;
@@ -72,11 +63,6 @@ static error_t parse(int key, char *value, struct argp_state *state) {
         return ARGP_ERR_UNKNOWN;
     }
     return 0;
-}
-
-static int processors(void) {
-    cpu_set_t set;
-    return sched_getaffinity(0, sizeof set, &set) ? 1 : CPU_COUNT(&set);
 }
 
 static void say(void *context, const char *line) {
@@ -111,7 +97,7 @@ static bool collect(const tr_grid *g, const arguments *a, tr_status *st) {
 static bool run(const tr_grid *g, arguments *a, tr_status *st) {
     bool all = a->index < 0;
     tr_grid_options o = {.dir = a->dir,
-                         .jobs = a->jobs ? a->jobs : processors(),
+                         .jobs = a->jobs ? a->jobs : tr_cli_processors(),
                          .first = all ? 0 : a->index,
                          .end = all ? g->n : a->index + 1,
                          .stop = tr_cli_stop(),

@@ -112,11 +112,16 @@ static bool set_path(const tr_replay *r, const tr_replay_life *life, int element
     return true;
 }
 
-static bool drive(tr_replay *r, tr_replay_life *life, const tr_scene *s, tr_contact *contact, tr_status *st) {
+static bool is_stopped(const tr_replay_options *o) {
+    return o->stop && *o->stop;
+}
+
+static bool drive(tr_replay *r, tr_replay_life *life, const tr_scene *s, tr_contact *contact,
+                  const tr_replay_options *o, tr_status *st) {
     tr_contact_state state[TR_MAX_LAWS];
     double before[TR_REPLAY_LAWS] = {0}, P = 0;
     if (!tr_contact_step(contact, state, st)) return false;
-    for (int i = 0; i < life->n; i++) {
+    for (int i = 0; i < life->n && !is_stopped(o); i++) {
         const tr_scene_segment *g = &s->path[i + 1];
         double *Q = r->Q + (size_t)(life->first + i) * (size_t)r->n_columns, du = g->slide / g->steps;
         for (int k = 0; k < g->steps; k++) {
@@ -138,11 +143,11 @@ static bool drive(tr_replay *r, tr_replay_life *life, const tr_scene *s, tr_cont
     return true;
 }
 
-static void replay(tr_replay *r, tr_replay_life *life, int elements, tr_status *st) {
+static void replay(tr_replay *r, tr_replay_life *life, const tr_replay_options *o, tr_status *st) {
     tr_scene s;
     tr_contact *contact = NULL;
-    if (set_path(r, life, elements, &s, st) && (contact = tr_contact_new(&s, st)))
-        life->done = drive(r, life, &s, contact, st);
+    if (set_path(r, life, o->elements, &s, st) && (contact = tr_contact_new(&s, st)))
+        life->done = drive(r, life, &s, contact, o, st);
     tr_contact_free(contact);
     free(s.path);
 }
@@ -155,17 +160,13 @@ typedef struct crew {
     atomic_int next, rows, failed; /* rows: behind us */
 } crew;
 
-static bool is_stopped(const tr_replay_options *o) {
-    return o->stop && *o->stop;
-}
-
 static void *work(void *context) {
     crew *c = context;
     for (int k; !is_stopped(c->o) && (k = atomic_fetch_add(&c->next, c->o->every)) < c->r->n_lives;) {
         tr_replay_life *life = &c->r->life[k];
         tr_status st = {0};
         if (c->r->row[life->first].a >= 0) {
-            replay(c->r, life, c->o->elements, &st);
+            replay(c->r, life, c->o, &st);
             atomic_fetch_add(&c->failed, !life->done);
         }
         atomic_fetch_add(&c->rows, life->n);
