@@ -9,6 +9,8 @@
 static const double LOOSE_FRACTION =
     0.4; /* random sequential addition jams near 0.55; here a throw succeeds after a few tries */
 
+enum { IN_CACHE = 2000 }; /* disks: so many are near in memory whatever their numbers */
+
 /* Cells as wide as the largest disk, each the head of a chain of disks: neighbours are in the 3 x 3 cells around. */
 typedef struct grid {
     int cells, *head, *next;
@@ -36,15 +38,57 @@ static bool is_free(const grid *g, const double *pos, double x, double y, double
     return true;
 }
 
+/* How far along Hilbert's curve through a square of 2^16 x 2^16 cells the cell (x, y) is [Hilbert1891]: quarter by quarter,
+ * the first and the last one turned about their diagonals. */
+static uint32_t along_curve(uint32_t x, uint32_t y) {
+    uint32_t key = 0;
+    for (uint32_t half = 1u << 15; half; half >>= 1) {
+        bool right = x & half, upper = y & half;
+        key = 4 * key + ((3u * right) ^ upper);
+        if (upper) continue;
+        if (right) x = ~x, y = ~y;
+        uint32_t t = x;
+        x = y, y = t;
+    }
+    return key;
+}
+
+typedef struct placed {
+    uint32_t key;
+    int i;
+} placed;
+
+static int compare(const void *a, const void *b) {
+    const placed *p = a, *q = b;
+    return p->key != q->key ? (p->key > q->key) - (p->key < q->key) : (p->i > q->i) - (p->i < q->i);
+}
+
+bool tr_sample_number(tr_world *world, const double *pos, double side, double density, tr_status *st) {
+    int n = world->disks.n;
+    placed *order = tr_alloc((size_t)n, sizeof *order, st);
+    for (int i = 0; order && i < n; i++) {
+        const double *q = pos + 4 * (size_t)i, cells = 65535 / side;
+        order[i] = (placed){n > IN_CACHE ? along_curve((uint32_t)(q[0] * cells), (uint32_t)(q[1] * cells)) : 0, i};
+    }
+    if (order) qsort(order, (size_t)n, sizeof *order, compare);
+    for (int i = 0; order && i < n; i++) {
+        const double *q = pos + 4 * (size_t)order[i].i;
+        tr_world_set_disk(world, i, q[0], q[1], 0, q[3], density, false);
+    }
+    free(order);
+    return order != NULL;
+}
+
 bool tr_sample_throw(tr_world *world, const tr_scene_sample *sample, bool periodic, uint64_t seed, double *side,
                      tr_status *st) {
     tr_random random = tr_random_seed(seed, 1);
     int n = sample->disks;
-    double *radius = tr_alloc((size_t)n, sizeof *radius, st), area = 0;
-    if (!radius) return false;
+    double *pos = tr_alloc((size_t)n * 4, sizeof *pos, st), area = 0;
+    if (!pos) return false;
     for (int i = 0; i < n; i++) {
-        radius[i] = sample->r_min + (sample->r_max - sample->r_min) * tr_random_uniform(&random);
-        area += M_PI * radius[i] * radius[i];
+        double R = pos[4 * (size_t)i + 3] =
+            sample->r_min + (sample->r_max - sample->r_min) * tr_random_uniform(&random);
+        area += M_PI * R * R;
     }
     double L = *side = fmax(sqrt(area / LOOSE_FRACTION), 4 * sample->r_max);
     grid g = {.cells = (int)fmax(1, fmin(L / (2 * sample->r_max), 20000)),
@@ -55,20 +99,21 @@ bool tr_sample_throw(tr_world *world, const tr_scene_sample *sample, bool period
     bool ok = g.head && g.next;
     for (size_t c = 0; ok && c < cells; c++) g.head[c] = -1;
     for (int i = 0; ok && i < n; i++) {
-        double R = radius[i], edge = periodic ? 0 : R, x, y;
+        double R = pos[4 * (size_t)i + 3], edge = periodic ? 0 : R, x, y;
         int64_t tries = 0;
         do {
             x = edge + (L - 2 * edge) * tr_random_uniform(&random);
             y = edge + (L - 2 * edge) * tr_random_uniform(&random);
             ok = ++tries < 10000000;
-        } while (ok && !is_free(&g, world->disks.pos, x, y, R));
+        } while (ok && !is_free(&g, pos, x, y, R));
         if (!ok)
             tr_status_fail(st, TR_NUMERICAL,
                            "error: no room for disk %d of %d in the loose sample: is r_max/r_min too large?", i, n);
-        tr_world_set_disk(world, i, x, y, 0, R, sample->density, false);
+        pos[4 * (size_t)i] = x, pos[4 * (size_t)i + 1] = y;
         int *head = &g.head[cell_of(&g, y) * g.cells + cell_of(&g, x)];
         g.next[i] = *head, *head = i;
     }
-    free(radius), free(g.head), free(g.next);
+    ok = ok && tr_sample_number(world, pos, L, sample->density, st);
+    free(pos), free(g.head), free(g.next);
     return ok;
 }

@@ -3,8 +3,7 @@
  *
  * PACKING. Compacting a million disks takes days, so a larger sample is a wall of tiles: one sample of 1000 disks, compacted
  * like any other, and its mirror images. A disk that pressed on a wall now presses on its own image, with twice the overlap,
- * which is a thousandth of a diameter, until both have moved. Numbers matter, for neighbours in number are neighbours in
- * memory: a disk has that of the disk at its place in a loose sample of as many, as it would if that had been compacted.
+ * which is a thousandth of a diameter, until both have moved. Numbers are by place, as in a sample that is thrown.
  *
  * MOTION. All start with the homogeneous approach of the walls that drive the shear, for in a large sample it would take thousands of
  * steps for the motion of the walls to reach the inside. The strain rate is the same for all sizes, so that in a larger sample the
@@ -15,6 +14,7 @@
 
 #include "base/alloc.h"
 #include "core/biaxial.h"
+#include "core/sample.h"
 #include "core/step.h"
 #include <math.h>
 #include <stdlib.h>
@@ -41,22 +41,6 @@ static double unfold(double v, double pitch, int k) {
     return k % 2 ? (k + 1) * pitch - v : k * pitch + v;
 }
 
-static int compare(const void *a, const void *b, void *lanes) {
-    const double *v = lanes, p = v[4 * (size_t) * (const int *)a], q = v[4 * (size_t) * (const int *)b];
-    return (p > q) - (p < q);
-}
-
-/* Numbers of the disks at pos, row by row, from left to right. */
-static int *by_place(double *pos, int n, tr_status *st) {
-    int *number = tr_alloc((size_t)n, sizeof *number, st), row = (int)sqrt(n);
-    if (!number) return NULL;
-    for (int i = 0; i < n; i++) number[i] = i;
-    qsort_r(number, (size_t)n, sizeof *number, compare, pos + 1);
-    for (int i = 0; i < n; i += row)
-        qsort_r(number + i, (size_t)(n - i < row ? n - i : row), sizeof *number, compare, pos);
-    return number;
-}
-
 bool tr_bench_tile(tr_biaxial *to, const tr_biaxial *tile, tr_status *st) {
     int n = to->world.disks.n, of_tile = tile->world.disks.n, tiles = n / of_tile, rows = (int)sqrt(tiles);
     while (tiles % rows) rows--;
@@ -71,16 +55,13 @@ bool tr_bench_tile(tr_biaxial *to, const tr_biaxial *tile, tr_status *st) {
         pos[4 * (size_t)i + 1] = unfold(q[1] - y0, height, i / of_tile / columns);
         pos[4 * (size_t)i + 3] = q[3];
     }
-    int *loose = pos ? by_place(to->world.disks.pos, n, st) : NULL, *dense = loose ? by_place(pos, n, st) : NULL;
-    for (int i = 0; dense && i < n; i++) {
-        const double *q = pos + 4 * (size_t)dense[i];
-        tr_world_set_disk(&to->world, loose[i], q[0], q[1], 0, q[3], tile->scene->sample.density, false);
-    }
+    double side = fmax(columns * width, rows * height);
+    bool ok = pos && tr_sample_number(&to->world, pos, side, tile->scene->sample.density, st);
     tr_wall *wall = to->world.wall;
     wall[TR_LEFT_WALL].x = wall[TR_BOTTOM_WALL].y = 0;
     wall[TR_RIGHT_WALL].x = columns * width, wall[TR_TOP_WALL].y = rows * height;
-    free(pos), free(loose), free(dense);
-    return st->code == TR_OK;
+    free(pos);
+    return ok;
 }
 
 static void flow(tr_biaxial *b) {
