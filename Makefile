@@ -6,11 +6,12 @@
 
 BUILD  ?= build/release
 CFLAGS ?= -O3 -g
+OPENMP ?= -fopenmp
 PREFIX ?= /usr/local
 DESTDIR ?=
 
 PKGS  := yaml-0.1 muparser jansson box2d cairo libpng
-FLAGS := -Isrc -Itests -Wall -Wextra -Wpedantic -ffp-contract=off -MMD -MP $(shell pkg-config --cflags $(PKGS) 2>/dev/null)
+FLAGS := -Isrc -Itests -Wall -Wextra -Wpedantic -ffp-contract=off $(OPENMP) -MMD -MP $(shell pkg-config --cflags $(PKGS) 2>/dev/null)
 # -fno-math-errno -fno-trapping-math let square roots and comparisons become vector code; they change no value.
 C_FLAGS   := -std=c17 -D_GNU_SOURCE -fno-math-errno -fno-trapping-math $(FLAGS) $(CFLAGS)
 CXX_FLAGS := -std=c++17 $(FLAGS) $(CFLAGS)
@@ -152,7 +153,7 @@ build-all: $(TRUNDLE)
 trundle: $(BUILD)/trundle
 	@cp $< $@
 $(BUILD)/trundle: $(CLI_OBJ) $(BUILD)/libtrundle.a
-	$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
+	$(CXX) $(CFLAGS) $(OPENMP) $(LDFLAGS) -o $@ $^ $(LIBS)
 $(BUILD)/libtrundle.a: $(LIB_OBJ)
 	@rm -f $@
 	ar rcs $@ $^
@@ -163,7 +164,7 @@ $(BUILD)/%.cpp.o: %.cpp
 	@mkdir -p $(@D)
 	$(CXX) $(CXX_FLAGS) -c -o $@ $<
 $(BUILD)/tests/%: $(BUILD)/tests/%.c.o $(BUILD)/libtrundle.a
-	$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS) -lcmocka
+	$(CXX) $(CFLAGS) $(OPENMP) $(LDFLAGS) -o $@ $^ $(LIBS) -lcmocka
 
 # This test counts allocations.
 $(BUILD)/tests/core/test_allocation: LDFLAGS += -Wl,--wrap=malloc,--wrap=aligned_alloc,--wrap=calloc,--wrap=realloc

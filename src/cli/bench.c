@@ -3,19 +3,22 @@
 #include "cli/bench.h"
 #include "cli/cli.h"
 
+#include "base/threads.h"
+
 #include "laws/law.h"
 #include "study/bench.h"
 #include <argp.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { SET = 1000, FEATURES, SIZES, PACKING };
+enum { SET = 1000, FEATURES, SIZES, PACKING, THREADS };
 
 static const struct argp_option options[] = {
     {"set", SET, "KEY=VALUE", 0, "override a key: --set sample.disks=10000", 0},
     {"features", FEATURES, NULL, 0, "what each feature and each law costs, on the same packing", 0},
     {"sizes", SIZES, "N", 0, "what a step costs with 100 to N disks (N from 100 to 1000000)", 0},
     {"packing", PACKING, "DIR", 0, "write a packing there for LAMMPS, and shear it: see tests/bench/peers.sh", 0},
+    {"threads", THREADS, "N", 0, "share the work of more than 4000 disks (default: 1)", 0},
     {"output", 'o', "OUT.csv", 0, "with --features or --sizes: also write the table there", 0},
     {0},
 };
@@ -27,6 +30,8 @@ static error_t parse(int key, char *value, struct argp_state *state) {
         a->set[a->n_set++] = value;
     else if (key == FEATURES)
         a->features = true;
+    else if (key == THREADS)
+        tr_threads_set(tr_cli_whole(value, 1, TR_MOST_THREADS, "--threads", state));
     else if (key == PACKING)
         a->packing = value;
     else if (key == SIZES && (a->largest = atoi(value)) < 100)

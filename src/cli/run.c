@@ -2,6 +2,7 @@
 /* trundle run */
 #include "cli/cli.h"
 
+#include "base/threads.h"
 #include "base/version.h"
 #include "laws/law.h"
 #include "study/run.h"
@@ -10,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_SETS = 256, CHECK = 1000, SEED, FRAMES, SET, FORCE, RESUME, CHECKPOINT, SAMPLE };
+enum { MAX_SETS = 256, CHECK = 1000, SEED, FRAMES, SET, FORCE, RESUME, CHECKPOINT, SAMPLE, THREADS };
 
 typedef struct arguments {
     const char *file, *dir, *sample;
@@ -36,6 +37,8 @@ static const struct argp_option options[] = {
     {"checkpoint", CHECKPOINT, "SECONDS", 0, "time between two checkpoints of a biaxial test (default: 60)", 0},
     {"sample", SAMPLE, "FILE", 0,
      "start a biaxial test from the packing in FILE (the result is the same); without such a file the run makes it", 0},
+    {"threads", THREADS, "N", 0, "share the work of more than 4000 disks (default: 1); the results are the same bits",
+     0},
     {"check", CHECK, NULL, 0, "only check the case", 0},
     {0},
 };
@@ -72,6 +75,9 @@ static error_t parse(int key, char *value, struct argp_state *state) {
         break;
     case ARGP_KEY_END:
         if (a->resume && a->force) argp_error(state, "--resume keeps what is there, --force replaces it");
+        break;
+    case THREADS:
+        tr_threads_set(tr_cli_whole(value, 1, TR_MOST_THREADS, "--threads", state));
         break;
     case SAMPLE:
         a->sample = value;

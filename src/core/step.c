@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "core/step.h"
 
+#include "base/alloc.h"
+#include "base/threads.h"
 #include "base/vector.h"
 #include "core/cell.h"
 #include "core/contacts.h"
@@ -72,8 +74,7 @@ static void scatter_walls(const tr_tile *tile, const tr_group *g, const tr_disks
 
 /* ---- the walk over the tiles ---- */
 
-static void run_passes(tr_world *world, tr_group *g, int first, double dt) {
-    tr_tile *tile = world->tile;
+static void gather(const tr_world *world, const tr_group *g, tr_tile *tile, int first, double dt) {
     tile->dt = dt;
     tile->first = first;
     tile->n = g->n - first < TR_TILE ? g->n - first : TR_TILE;
@@ -83,6 +84,11 @@ static void run_passes(tr_world *world, tr_group *g, int first, double dt) {
     else
         gather_disks(tile, g, &world->disks);
     if (!g->walls && world->cell.side[0] > 0) tr_cell_shift(&world->cell, g, tile);
+}
+
+static void run_passes(tr_world *world, tr_group *g, int first, double dt) {
+    tr_tile *tile = world->tile;
+    gather(world, g, tile, first, dt);
     for (int k = 0; k < g->n_pass; k++) g->pass[k].run(tile, &g->pass[k].data);
 }
 
@@ -109,17 +115,101 @@ static void group_forces(tr_world *world, tr_group *g, double dt) {
     }
 }
 
-bool tr_step_forces(tr_world *world, tr_status *st) {
-    tr_disks *d = &world->disks;
-    if (world->stale && !tr_contacts_refresh(world, st)) return false;
+static void begin_forces(const tr_disks *d, int low, int high) {
+    size_t at = 4 * (size_t)low, bytes = 4 * (size_t)(high - low) * sizeof *d->force;
     if (d->load)
-        memcpy(d->force, d->load, (size_t)d->n * 4 * sizeof *d->force);
+        memcpy(d->force + at, d->load + at, bytes);
     else
-        memset(d->force, 0, (size_t)d->n * 4 * sizeof *d->force);
+        memset(d->force + at, 0, bytes);
+}
+
+/* ---- threads ---- */
+/* The bits are those of one thread: what tiles give is stored, and then each thread adds up the forces on its share of the disks
+ * in the order of the list; sums over tiles follow in theirs. One thread alone needs no store. */
+
+static void tile_result(const tr_world *world, tr_group *g, tr_tile *tile, int first, double dt, tr_result *r) {
+    tr_ledger lost = {.damped = 0};
+    tr_sink sink = g->ledger_sink;
+    sink.ledger = &lost;
+    gather(world, g, tile, first, dt);
+    for (int k = 0; k < g->n_pass; k++) {
+        tr_law_data data = g->pass[k].data;
+        if (data.par == &g->ledger_sink) data.par = &sink;
+        g->pass[k].run(tile, &data);
+    }
+    memcpy(r->fx, tile->fx, sizeof r->fx), memcpy(r->fy, tile->fy, sizeof r->fy);
+    memcpy(r->q1, tile->q1, sizeof r->q1), memcpy(r->q2, tile->q2, sizeof r->q2);
+    r->lost[0] = lost.damped, r->lost[1] = lost.friction, r->lost[2] = lost.rolling;
+    tr_periodic_cell cell = {0};
+    if (world->cell.side[0] > 0) tr_cell_add_virial(&cell, tile);
+    r->virial[0] = cell.virial[0], r->virial[1] = cell.virial[1];
+    r->touching = tile->touching, r->last = 0;
+    for (int i = 0; i < tile->n; i++) r->last = g->b[first + i] > r->last ? g->b[first + i] : r->last;
+}
+
+/* Forces on the disks from low to high - 1. Most tiles have none of them: a >= high, or b < low. */
+TR_VECTOR static void add_results(const tr_result *result, const tr_group *g, const tr_disks *d, int low, int high) {
+    tr_quad *force = (tr_quad *)d->force;
+    for (int first = 0; first < g->n && g->a[first] < high; first += TR_TILE, result++) {
+        const int *a = g->a + first, *b = g->b + first;
+        if (result->last < low) continue;
+        for (int i = 0; i < TR_TILE && first + i < g->n; i++) {
+            double fx = result->fx[i], fy = result->fy[i];
+            if (a[i] >= low && a[i] < high) force[a[i]] += (tr_quad){-fx, -fy, result->q1[i], 0};
+            if (b[i] >= low && b[i] < high) force[b[i]] += (tr_quad){fx, fy, result->q2[i], 0};
+        }
+    }
+}
+
+static bool disk_forces(tr_world *world, double dt, tr_status *st) {
+    tr_group *g = &world->group[0];
+    const tr_disks *d = &world->disks;
+    int tiles = (g->n + TR_TILE - 1) / TR_TILE, shares = tr_threads();
+    if (tiles > world->results) {
+        int grown = g->capacity / TR_TILE + 1;
+        if (!tr_alloc_grow(&world->result, 0, (size_t)grown, sizeof *world->result, st)) return false;
+        world->results = grown;
+    }
+    TR_OMP(omp parallel) {
+        tr_tile tile;
+        memset(&tile, 0, sizeof tile);
+        TR_OMP(omp for schedule(static))
+        for (int k = 0; k < tiles; k++) tile_result(world, g, &tile, k * TR_TILE, dt, &world->result[k]);
+        TR_OMP(omp for schedule(static))
+        for (int k = 0; k < shares; k++) {
+            int low = (int)((int64_t)d->n * k / shares), high = (int)((int64_t)d->n * (k + 1) / shares);
+            begin_forces(d, low, high);
+            add_results(world->result, g, d, low, high);
+        }
+    }
+    for (int k = 0; k < tiles; k++) {
+        const tr_result *r = &world->result[k];
+        world->contact_updates += r->touching;
+        for (int axis = 0; axis < 2; axis++) world->cell.virial[axis] += r->virial[axis];
+        if (!world->ledger) continue;
+        world->ledger->damped += r->lost[0], world->ledger->friction += r->lost[1],
+            world->ledger->rolling += r->lost[2];
+    }
+    return true;
+}
+
+enum { MANY = 4000 }; /* disks: below, threads wait longer for each other than they work */
+
+static bool use_threads(const tr_world *world) {
+    return world->disks.n > MANY && tr_threads() > 1;
+}
+
+bool tr_step_forces(tr_world *world, tr_status *st) {
+    if (world->stale && !tr_contacts_refresh(world, st)) return false;
     for (int w = 0; w < world->n_walls; w++) world->wall[w].fx = world->wall[w].fy = 0;
     world->cell.virial[0] = world->cell.virial[1] = 0;
     double dt = world->fresh ? 0 : world->dt;
-    group_forces(world, &world->group[0], dt);
+    if (use_threads(world)) {
+        if (!disk_forces(world, dt, st)) return false;
+    } else {
+        begin_forces(&world->disks, 0, world->disks.n);
+        group_forces(world, &world->group[0], dt);
+    }
     group_forces(world, &world->group[1], dt);
     world->fresh = false;
     return true;
@@ -162,13 +252,27 @@ static void move_walls(tr_world *world) {
     world->wall_moved += world->dt * fastest;
 }
 
-void tr_step_advance(tr_world *world) {
+/* Block by block, so that a disk is still near when it is looked at. */
+static int advance_disks(tr_world *world, double reach) {
+    enum { BLOCK = 256 };
     const tr_disks *d = &world->disks;
+    int moved = 0;
+    TR_OMP(omp parallel for schedule(static) reduction(+ : moved) if (use_threads(world)))
+    for (int first = 0; first < d->n; first += BLOCK) {
+        int n = d->n - first < BLOCK ? d->n - first : BLOCK;
+        size_t at = 4 * (size_t)first;
+        kick_and_drift(4 * n, world->dt, d->pos + at, d->vel + at, d->force + at, d->inv + at);
+        moved += count_moved(n, reach, d->pos + at, world->thin_ref + at / 2);
+    }
+    return moved;
+}
+
+void tr_step_advance(tr_world *world) {
     if (world->cell.side[0] > 0) tr_cell_advance(world);
-    kick_and_drift(4 * d->n, world->dt, d->pos, d->vel, d->force, d->inv);
-    move_walls(world);
-    world->steps++;
     /* Two bodies that approach each other move half the skin each, less what the image of one has moved besides. */
     double reach = (world->thin_skin - world->cell.moved[0]) / 2;
-    if (!(reach >= world->wall_moved) || count_moved(d->n, reach, d->pos, world->thin_ref)) world->stale = true;
+    int moved = advance_disks(world, reach);
+    move_walls(world);
+    world->steps++;
+    if (!(reach >= world->wall_moved) || moved) world->stale = true;
 }

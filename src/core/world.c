@@ -40,7 +40,7 @@ void tr_world_free(tr_world *world) {
     tr_disks *d = &world->disks;
     free(d->pos), free(d->vel), free(d->force), free(d->inv), free(d->load), free(d->mass);
     free(d->coordination);
-    free(world->wide_ref), free(world->thin_ref), free(world->ledger), free(world->tile);
+    free(world->wide_ref), free(world->thin_ref), free(world->ledger), free(world->tile), free(world->result);
     group_free(&world->group[0]), group_free(&world->group[1]);
     if (world->finder) world->broad->destroy(world->finder);
     tr_pairs_free(&world->near);
@@ -168,6 +168,7 @@ size_t tr_world_bytes(const tr_world *world) {
         const tr_group *g = &world->group[k];
         bytes += (size_t)g->capacity * (4 * sizeof(int) + (size_t)(2 * g->n_hist + g->n_pair) * sizeof(double));
     }
+    bytes += (size_t)world->results * sizeof *world->result;
     return bytes + (size_t)world->near.capacity * 2 * sizeof(int);
 }
 

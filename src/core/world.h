@@ -18,6 +18,8 @@
  *
  * PERIODIC CELL. Where there is one, disk b of a pair stands for its nearest image; see cell.h.
  *
+ * THREADS share the tiles of a large sample, and no bit depends on their number; see step.c.
+ *
  * Two worlds may run side by side: there are no globals. A step allocates nothing, except when a refresh finds more
  * contacts than ever before.
  */
@@ -124,6 +126,13 @@ struct tr_ledger {
     double wall_fx[TR_MAX_WALLS], wall_fy[TR_MAX_WALLS], cell_force[2]; /* of the step before */
 };
 
+/* What a tile of disks gives, for the threads to add up; see step.c. */
+typedef struct tr_result {
+    tr_lane fx, fy, q1, q2;
+    double virial[2], lost[3]; /* lost: of the ledger */
+    int touching, last;        /* contacts; greatest number of a disk */
+} tr_result;
+
 typedef struct tr_world {
     tr_shape shape;          /* of all bodies */
     double dt;               /* [s]; set by the driver, see timestep.h */
@@ -138,6 +147,8 @@ typedef struct tr_world {
     tr_group group[2];     /* disk-disk, wall-disk */
     tr_ledger *ledger;     /* NULL: not kept */
     tr_tile *tile;         /* one, reused; allocated apart because its lanes are aligned */
+    tr_result *result;     /* of each tile of disks, where threads share the work; how many there is room for */
+    int results;
     /* pair finding */
     const tr_broad_finder *broad;
     void *finder;

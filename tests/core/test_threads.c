@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: MIT */
+/* Threads change no bit: the same world moved by one thread, by two, by three and by a number that changes on the way, as after a
+ * restart. Between walls and in a periodic cell, with ledger and arcs. One thread runs another code, which stores nothing: the
+ * reference. */
+#include "base/threads.h"
+#include "core/worlds.h"
+
+/* 4900 disks of a lattice that overlap by up to 2.5 % or not at all, numbered by rows: each share of the disks has contacts with
+ * the next one, and in a cell the first with the last. In 60 steps the fastest disks move 0.2 mm, four times half the thin skin: lists
+ * are renewed. */
+enum { ROW = 70, STEPS = 60 };
+
+static void move(tr_world *world, bool periodic, int threads, int threads_later) {
+    const double pitch = 1.95e-3, side = ROW * pitch;
+    tr_random random = tr_random_seed(7, 1);
+    new_world(world, ROW * ROW);
+    for (int i = 0; i < ROW * ROW; i++) {
+        double x = (i % ROW + 0.5) * pitch - side / 2, y = (i / ROW + 0.5) * pitch - side / 2;
+        tr_world_set_disk(world, i, x, y, 0, 0.96e-3 + 0.04e-3 * tr_random_uniform(&random), 2700, false);
+        set_velocity(world, i, 4 * tr_random_uniform(&random) - 2, 4 * tr_random_uniform(&random) - 2, 100);
+    }
+    if (periodic)
+        world->cell = (tr_periodic_cell){.side = {side, side}, .rate = {-0.1, 0.1}};
+    else
+        world->wall[0] = (tr_wall){.y = -side / 2, .ny = 1}, world->wall[1] = (tr_wall){.x = -side / 2, .nx = 1},
+        world->n_walls = 2;
+    set_gravity(world, 0, -9.81);
+    set_laws(world, sand, TR_SINK_LEDGER | TR_SINK_ARCS);
+    world->dt = 1e-6;
+    for (int k = 0; k < 2; k++) {
+        tr_threads_set(k ? threads_later : threads);
+        steps(world, STEPS / 2);
+    }
+    forces(world);
+    tr_threads_set(1);
+}
+
+static void assert_same(const tr_world *p, const tr_world *q) {
+    assert_same_bits(p, q);
+    assert_memory_equal(p->disks.force, q->disks.force, 4 * (size_t)p->disks.n * sizeof(double));
+    assert_memory_equal(p->ledger, q->ledger, sizeof *p->ledger);
+    assert_memory_equal(&p->cell, &q->cell, sizeof p->cell);
+    assert_int_equal(p->contact_updates, q->contact_updates);
+    for (int k = 0; k < 2; k++) {
+        const tr_group *g = &p->group[k], *h = &q->group[k];
+        assert_int_equal(g->n, h->n);
+        for (int i = 0; i < g->n_hist; i++) assert_memory_equal(g->hist[i], h->hist[i], (size_t)g->n * sizeof(double));
+    }
+}
+
+static void threads_change_no_bit(void **state) {
+    (void)state;
+    static const int threads[][2] = {{2, 2}, {3, 3}, {3, 2}, {2, 1}};
+    for (int periodic = 0; periodic < 2; periodic++) {
+        tr_world one, more;
+        move(&one, periodic, 1, 1);
+        assert_int_equal(one.results, 0); /* the store of the threads: not made for one */
+        assert_true(one.refreshes > 2 && one.contact_updates > STEPS * ROW * ROW / 2);
+        for (int k = 0; k < 4; k++) {
+            move(&more, periodic, threads[k][0], threads[k][1]);
+            assert_true(more.results > 0);
+            assert_same(&one, &more);
+            tr_world_free(&more);
+        }
+        tr_world_free(&one);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(threads_change_no_bit)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
