@@ -4,7 +4,6 @@
 #include "cli/cli.h"
 
 #include "base/threads.h"
-
 #include "laws/law.h"
 #include "study/bench.h"
 #include <argp.h>
