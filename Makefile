@@ -25,7 +25,7 @@ LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o)
 CLI_OBJ  := $(CLI_SRC:%=$(BUILD)/%.o)
 TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all biaxial figures wang bands replay features bench bench-peers demos gallery verify test test-slurm install asan lint format clean help packages-% build-all run-demos run-tests
+.PHONY: all biaxial figures wang kuhn bands replay features bench bench-peers demos gallery verify test test-slurm install asan lint format clean help packages-% build-all run-demos run-tests
 .SECONDARY:
 
 all: packages-build
@@ -47,6 +47,12 @@ SEEDS ?= 32
 wang: packages-build
 	@$(MAKE) --no-print-directory build-all
 	figures/wang/wang.sh ./trundle out/wang $(SEEDS)
+
+# Kuhn's assemblies with a verdict on each trend. Goes on with what is there; DISKS=1000 is quicker. Not among the figures: an hour or two.
+DISKS ?= 4096
+kuhn: packages-build
+	@$(MAKE) --no-print-directory build-all
+	figures/kuhn/kuhn.sh ./trundle out/kuhn-$(DISKS) $(DISKS)
 
 # Measures anew each time; not among the figures, for it takes a quarter of a minute and is not the same from run to run.
 features: packages-build
@@ -128,6 +134,7 @@ help:
 	@echo 'make figures   build, and draw figures/*.gp with their data into out/figures/ (needs gnuplot)'
 	@echo 'make features  build, measure what each feature and each law costs, and draw it: out/figures/features.png'
 	@echo 'make wang      build, sweep the biaxial test as Wang did, and judge each claim: out/wang/; SEEDS=3 for a minute of it'
+	@echo 'make kuhn      build, shear assemblies with small and large contacts, with and without creep, and judge what Kuhn saw: out/kuhn-4096/; DISKS=1000 is quicker'
 	@echo 'make bands     build, shear 10,000 disks without and with rolling resistance, and draw where they turn; minutes'
 	@echo 'make replay    build, take the contacts of a biaxial test through the exact half-plane and every law, and draw errors; minutes'
 	@echo 'make bench     build, measure a step of 100 to 1000000 disks, and draw it: out/figures/bench.png; minutes'
@@ -208,7 +215,7 @@ out/figures/replay.png: figures/replay/replay.gp out/biaxial-replay/summary.json
 
 # A demonstration is a case; its mark, NAME.done, says that it ran without an error. DEMO_FLAGS: for trundle run.
 OUT   := out
-DEMOS := $(filter-out biaxial% sweep% shear-bands,$(patsubst cases/%.yaml,%,$(wildcard cases/*.yaml)))
+DEMOS := $(filter-out biaxial% kuhn% sweep% shear-bands,$(patsubst cases/%.yaml,%,$(wildcard cases/*.yaml)))
 run-demos: $(DEMOS:%=$(OUT)/demos/%.done)
 $(OUT)/demos/%.done: cases/%.yaml $(TRUNDLE)
 	$(abspath $(TRUNDLE)) run $< -o $(@:.done=) --force $(DEMO_FLAGS)

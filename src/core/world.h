@@ -32,7 +32,7 @@
 #include <stdint.h>
 
 enum {
-    TR_MAX_PASSES = 8,
+    TR_MAX_PASSES = 9,
     TR_MAX_WALLS = 128,
     TR_MAX_VELOCITY_MEASURES = 8,
     TR_GROUP_HIST = 3 * TR_MAX_HIST + 9, /* laws of three slots, and the sinks */

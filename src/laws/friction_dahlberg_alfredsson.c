@@ -98,6 +98,15 @@ static void state(const tr_tile *tile, const tr_law_data *data, double *energy, 
     }
 }
 
+static void crept(const tr_tile *tile, const tr_law_data *data, double *u) {
+    const par *p = data->par;
+    const creep c = creep_of(p, tile->dt);
+    for (int i = 0; i < tile->n; i++) {
+        double P = tile->f_n[i], q = P > 0 ? fmin(1, fabs(tile->f_t[i]) / (p->mu * P)) : 0;
+        u[i] = copysign((1 - sqrt(1 - q)) * creep_at(c, tile, i) / p->k_t, tile->f_t[i]);
+    }
+}
+
 static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *bodies) {
     const par *p = par_;
     (void)bodies;
@@ -117,5 +126,6 @@ const tr_law tr_friction_dahlberg_alfredsson = {
     .n_hist = 1,
     .step = step,
     .state = state,
+    .creep = crept,
     .stiffness = stiffness,
 };

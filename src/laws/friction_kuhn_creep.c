@@ -109,6 +109,16 @@ static void step(tr_tile *tile, const tr_law_data *data) {
     tr_bed_step(tile, data, displacement);
 }
 
+static void creep(const tr_tile *tile, const tr_law_data *data, double *u) {
+    const tr_creep_par *p = data->par;
+    double power = data->shape == TR_SHAPE_SPHERE ? 3 : 2;
+    for (int i = 0; i < tile->n; i++) {
+        double P = tile->f_elastic[i], q = P > 0 ? fmin(1, fabs(tile->f_t[i]) / (p->bed.mu * P)) : 0;
+        double F = -expm1(log1p(-q) / power) * greatest_creep(p, data->shape, tile->R1[i], tile->R2[i], P);
+        u[i] = copysign(F * tr_creep_roll(p, tile, i), tile->f_t[i]);
+    }
+}
+
 const tr_law tr_friction_kuhn_creep = {
     .table = {"kuhn-creep", "cattaneo-mindlin that creeps while the bodies roll", params,
               .n = sizeof params / sizeof *params},
@@ -123,5 +133,6 @@ const tr_law tr_friction_kuhn_creep = {
     .merged = 2,
     .step = step,
     .state = tr_bed_state,
+    .creep = creep,
     .stiffness = tr_bed_stiffness,
 };

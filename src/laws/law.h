@@ -148,6 +148,9 @@ struct tr_law {
     /* For the sinks, after step: energy in the contacts [N], and the bound on |f_t| [N/m] or on the larger of
      * |m1|, |m2| [N] (of a normal law: none). NULL with step. */
     void (*state)(const tr_tile *tile, const tr_law_data *data, double *energy, double *bound);
+    /* Friction laws that creep, after step: sgn(Q) F |du_roll|, what creep takes off the sliding of this step [m]. NULL: the
+     * others. */
+    void (*creep)(const tr_tile *tile, const tr_law_data *data, double *u);
     tr_stiffness (*stiffness)(const void *par, const tr_pair_bodies *bodies);
     /* Normal laws: the elastic force at an overlap >= 0, and the overlap [m] at an elastic force >= 0, of bodies with
      * these radii (R1 = 0: a wall). */

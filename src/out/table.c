@@ -69,6 +69,24 @@ void tr_row_biaxial(tr_row *row, const tr_biaxial_state *s, const tr_measures *m
     tr_row_add(row, e->residual, "residual_J_per_m|residual_J");
 }
 
+static void add_spread(tr_row *row, tr_spread s, const char *name) {
+    tr_row_add(row, s.q1, "%s_q1", name);
+    tr_row_add(row, s.median, "%s_median", name);
+    tr_row_add(row, s.q3, "%s_q3", name);
+    tr_row_add(row, s.mean, "%s_mean", name);
+}
+
+void tr_row_increments(tr_row *row, const tr_increments_state *s, double mean_radius) {
+    tr_row_add(row, s->followed, "followed");
+    add_spread(row, s->roll, "roll_over_slide");
+    add_spread(row, s->creep, "creep_over_slide");
+    tr_row_add(row, s->width / mean_radius, "a_over_R");
+    tr_row_add(row, s->tangential, "friction_share_of_q");
+    tr_row_add(row, s->run, "run_over_a_median");
+    tr_row_add(row, s->run_by_length, "run_over_a_median_by_length");
+    tr_row_add(row, s->long_runs, "rolled_in_runs_above_2a");
+}
+
 void tr_row_contact(tr_row *row, double time, double strain, const tr_record *c) {
     tr_row_add(row, time, "time_s");
     if (strain >= 0) tr_row_add(row, strain, "strain");

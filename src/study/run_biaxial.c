@@ -21,8 +21,9 @@ typedef struct test {
     tr_outputs out;
     tr_series series;
     tr_file disks;
-    double *fill;   /* of each disk: what colours it in frames, or a column of disks.csv */
-    int *ends;      /* and how many contacts it has */
+    double *fill; /* of each disk: what colours it in frames, or a column of disks.csv */
+    int *ends;    /* and how many contacts it has */
+    tr_increments increments;
     tr_inset inset; /* of the frames: the inside of the first contact whose path is recorded */
     tr_view view;   /* what stays the same in every frame */
     char title[TR_RUN_TITLE];
@@ -58,6 +59,7 @@ static void keep_rest(test *t, tr_checkpoint *c) {
     TR_KEEP(c, &t->stress_2_sum, 1);
     TR_KEEP(c, &t->stress_n, 1);
     TR_KEEP(c, &t->state, 1);
+    TR_KEEP(c, &t->increments.since, 1);
     TR_KEEP(c, &t->series.n, 1);
     TR_KEEP(c, t->series.strain, t->series.n);
     TR_KEEP(c, t->series.sin_phi, t->series.n);
@@ -193,6 +195,11 @@ static bool row(test *t, const tr_measures *m, tr_status *st) {
     bool early = t->state.strain <= fmin(0.01, 0.5 * t->scene->shear.strain_end);
     if (!early) t->stress_1_sum += t->state.stress_1, t->stress_2_sum += t->state.stress_2, t->stress_n++;
     tr_row_biaxial(&cells, &t->state, m, energy ? &t->energy : NULL);
+    if (t->scene->output.increments) {
+        tr_increments_state increments;
+        if (!tr_increments_read(&t->increments, &increments, st)) return false;
+        tr_row_increments(&cells, &increments, t->b.mean_radius);
+    }
     return tr_outputs_row(&t->out, &cells, st);
 }
 
@@ -281,6 +288,7 @@ static bool prepare(test *t, tr_status *st) {
               (!t->scene->output.contacts ||
                (compacted ? tr_file_reopen : tr_file_open)(&t->disks, t->options->dir, "disks.csv", st));
     if (ok) open_inset(t);
+    if (ok && t->scene->output.increments) tr_increments_attach(&t->b.world, &t->increments);
     return ok && resume(t);
 }
 

@@ -1,0 +1,13 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The tables, the verdicts and the picture of the runs of kuhn.sh that are finished: tables.sh DIR
+set -eu
+export LC_ALL=C
+out=$1
+here=$(cd "$(dirname "$0")" && pwd)
+awk -F, -v tables="$out/tables.csv" -f "$here/tables.awk" "$out"/*/history.csv >"$out/verdicts.csv"
+column -s, -t "$out/verdicts.csv" 2>/dev/null || cat "$out/verdicts.csv"
+command -v gnuplot >/dev/null || { echo "no picture: gnuplot is not installed; the numbers are in $out" >&2; exit 0; }
+fact() { sed -n "s/.*\"$1\": \"*\([^\",]*\).*/\1/p" "$out/disks-large-kuhn-creep/summary.json"; }
+gnuplot -d -e "dir = '$out'; caption = '$(fact n_disks) disks, constant mean stress, μ = 0.5, I = $(fact inertial_number), trundle $(fact version)'" \
+    -e "set output '$out/fig6.png'; set terminal pngcairo size 1350,1080 font 'DejaVu Sans,20' enhanced rounded linewidth 1.5" "$here/fig6.gp"

@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: MIT */
+/* A sink that tells what the contacts of two disks have done over an interval, and over the way that each has rolled: the numbers of
+ * [Kuhn2014 sec. 3.2]. With u_slide = int Vs dt, u_roll = int -(s1 + s2)/2 dt and u_creep = int sgn(Q) F |du_roll|, F by
+ * the friction law, over the interval:
+ *
+ *   |u_roll|/|u_slide|    rolling over sliding [Kuhn2014 table 3]
+ *   |u_creep|/|u_slide|   effect of creep, F with R_star for R/2 [Kuhn2014 eq. 17, table 4]
+ *
+ * of the contacts that touched all the time. Kuhn takes both from the velocities of an instant; those of a packing that
+ * moves by inertia are those of its vibrations too, an interval averages them out.
+ *
+ * A run is a way in one direction, int |du_roll|/a, a = sqrt(4 P R/(pi E_star)) or cbrt(3 P R/(4 E_star)) of each step
+ * (tr_law_width). It ends where the contact opens, or has rolled back by a tenth of a: vibrations do not end it. What ends
+ * below a tenth of a is no run. Runs that end in the interval are counted by length, in bins of which 20 are a decade.
+ *
+ * Stress: the difference sigma_y - sigma_x as sum over contacts of f l, normal and tangential force apart; of the latter
+ * the share.
+ *
+ * P = 0: a = 0, no run is longer for it. No E_star: no a, no runs.
+ */
+#ifndef TR_CORE_INCREMENTS_H
+#define TR_CORE_INCREMENTS_H
+
+#include "core/world.h"
+
+enum { TR_RUN_BINS = 140 }; /* from a tenth of a to 1e6 a */
+
+typedef struct tr_increments {
+    tr_sink sink;  /* the first: a pass is handed it */
+    double E_star; /* that sets a [Pa]; 0: none */
+    struct tr_increments_sums {
+        double steps, touching;     /* contacts that touch, summed over the steps */
+        double widths;              /* a over contacts and steps [m] */
+        double normal, tangential;  /* f_y l_y - f_x l_x [N] */
+        double runs[TR_RUN_BINS];   /* number */
+        double rolled[TR_RUN_BINS]; /* of their lengths [a] */
+    } since;                        /* the last read */
+} tr_increments;
+
+typedef struct tr_spread {
+    double q1, median, q3, mean;
+} tr_spread;
+
+/* All 0 where there is nothing to tell of. */
+typedef struct tr_increments_state {
+    double followed;           /* contacts that touched all the time, over the mean number of those that touch */
+    tr_spread roll, creep;     /* over sliding */
+    double width;              /* mean of a over contacts and steps [m] */
+    double tangential;         /* share of friction in sigma_y - sigma_x */
+    double run, run_by_length; /* half of the runs, and half of the way in runs, is longer [a] */
+    double long_runs;          /* share of the way in runs that is in runs above 2 a */
+} tr_increments_state;
+
+/* From here on; *increments must outlive the world's laws. Call it after the laws are set. */
+void tr_increments_attach(tr_world *world, tr_increments *increments);
+
+/* After tr_step_forces; a new interval begins. */
+bool tr_increments_read(tr_increments *increments, tr_increments_state *state, tr_status *st);
+
+#endif
