@@ -5,8 +5,8 @@
 #
 #     figures/kuhn/kuhn.sh TRUNDLE DIR [DISKS [SPHERES]]
 #
-# 4096 and 400 by default; spheres, whose contacts are harder, go to 30 % strain. Started again it does what is missing. One run at a
-# time: `nproc` of them fit side by side when the script is started once for each DIR.
+# 4096 and 400 by default; spheres, whose contacts are harder, go to 30 % strain. Started again it does what is missing. Among large
+# contacts a small disk may be squeezed to an overlap of 0.3 R, where trundle stops; the rows up to there count.
 set -eu
 export LC_ALL=C
 trundle=$1 out=$2 disks=${3:-4096} spheres=${4:-400}
@@ -26,7 +26,7 @@ run() {
     case $3 in small) set -- "$@" compaction.inertial_number=3e-2 ;; esac
     shift 3
     for setting; do set -- "$@" --set "$setting" && shift; done
-    "$trundle" run "$case" -o "$out/$name" --resume --sample "$sample" --set sample.disks="$n" "$@" >"$out/$name.said"
+    "$trundle" run "$case" -o "$out/$name" --resume --sample "$sample" --set sample.disks="$n" "$@" >"$out/$name.said" || [ -s "$out/$name/history.csv" ]
 }
 for shape in disks spheres; do
     for size in large small; do

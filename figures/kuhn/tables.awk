@@ -80,7 +80,7 @@ END {
             judge("reason 1: half of the contacts roll less than 10 times as fast as they slide", creep, "", "roll_over_slide_median", "", 0, 10)
             judge("reason 2: half of the runs end within 2 a", creep, "", "run_over_a_median", "", 0, 2)
             judge("reason 2: most of the way is in runs that end within 2 a", creep, "", "rolled_in_runs_above_2a", "", 0, 0.5)
-            judge("reason 3: strength comes from normal forces, friction gives less than a quarter", creep, "", "friction_share_of_q", "", 0, 0.25)
+            judge("reason 3: friction gives less than a quarter of the strength", creep, "", "friction_share_of_q", "", 0, 0.25)
         }
         s = shapes[i]
         judge("small contacts roll more", s "-small-cattaneo-mindlin", s "-large-cattaneo-mindlin", "roll_over_slide_median", "/", 1, 1e9)

@@ -3,6 +3,8 @@
 #include "assert_close.h"
 #include "core/measures.h"
 #include "out/summary.h"
+#include "out/table.h"
+#include <string.h>
 
 /* 401 rows, strain 0..0.2 in steps of 0.0005: a window of 0.5 % strain is 10 rows. sin phi rises by 0.01 a row to 0.5 at row 50, has a
  * spike of one row at row 100, and is 0.3 from row 200 on; the void ratio is the strain.
@@ -53,7 +55,39 @@ static void test_counts(void **state) {
     assert_close(m.largest_overlap, 0.2, 1e-15, 0);
 }
 
+static double cell(const tr_row *row, const char *name) {
+    for (int i = 0; i < row->n; i++)
+        if (!strcmp(row->cell[i].name, name)) return row->cell[i].value;
+    fail_msg("no cell %s", name);
+    return 0;
+}
+
+/* Each number under its name; a/R = 0.5/4. */
+static void test_increments(void **state) {
+    (void)state;
+    static const char *const name[] = {"followed",
+                                       "roll_over_slide_q1",
+                                       "roll_over_slide_median",
+                                       "roll_over_slide_q3",
+                                       "roll_over_slide_mean",
+                                       "creep_over_slide_q1",
+                                       "creep_over_slide_median",
+                                       "creep_over_slide_q3",
+                                       "creep_over_slide_mean",
+                                       "friction_share_of_q",
+                                       "run_over_a_median",
+                                       "run_over_a_median_by_length",
+                                       "rolled_in_runs_above_2a"};
+    tr_increments_state s = {.followed = 0, .roll = {1, 2, 3, 4}, .creep = {5, 6, 7, 8}, .width = 0.5};
+    s.tangential = 9, s.run = 10, s.run_by_length = 11, s.long_runs = 12;
+    tr_row row = {0};
+    tr_row_increments(&row, &s, 4);
+    for (int i = 0; i < 13; i++) assert_close(cell(&row, name[i]), i, 0, 0);
+    assert_close(cell(&row, "a_over_R"), 0.125, 0, 0);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_strength), cmocka_unit_test(test_counts)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_strength), cmocka_unit_test(test_counts),
+                                       cmocka_unit_test(test_increments)};
     return cmocka_run_group_tests_name("summary", tests, NULL, NULL);
 }

@@ -16,6 +16,7 @@ static const char format[] =
     "compaction: {pressure: 160 kPa, inertial_number: 0.1, unbalanced: 1e-2}\n"
     "shear: {inertial_number: 2e-3, strain_end: 0.01, %s}\n"
     "output: {frames: 4, rows: 5, contacts: 5, paths: [most-mobilised, %s], path_rows: 7}\n";
+    "output: {frames: 4, rows: 5, contacts: 5, increments: yes, paths: [most-mobilised, %s]}\n";
 
 static volatile sig_atomic_t stop;
 static int compactions, calls;

@@ -45,6 +45,11 @@ check 'frames change no number' cmp plain/history.csv framed/history.csv
 check 'without curves it runs' run_gives 0 small.yaml -o bare-biaxial --frames 2 --set output.curves=no
 check 'and draws none' equals "$(listing bare-biaxial)" "$(listing framed | grep -v '^biaxial.[sp]\|gp$')"
 check 'its numbers are the same' cmp plain/history.csv bare-biaxial/history.csv
+check 'with increments it runs' run_gives 0 small.yaml -o increments --set output.increments=yes
+same_and_more() { cut -d, -f "1-$(head -n 1 plain/history.csv | tr , '\n' | wc -l)" increments/history.csv | cmp - plain/history.csv; }
+check 'they change no number' same_and_more
+check 'and are a pass of their own' grep -q '"increments"' increments/summary.json
+check 'which is there only when asked for' not grep -q '"increments"' plain/summary.json
 check 'bodies run' run_gives 0 bodies.yaml -o bodies --frames 3
 check 'and write these files' writes bodies 3 bodies
 check "one frame" run_gives 0 bodies.yaml -o one --frames 1
@@ -129,7 +134,7 @@ is_table() {
         { for (i = 1; i <= NF; i++) if ($i !~ /^-?[0-9.]+(e[-+][0-9]+)?$/) { print "line " NR ": " $i; bad = 1 } }
         END { exit bad || NR < 2 }' "$1"
 }
-for table in plain/history.csv plain/contacts.csv plain/disks.csv bodies/history.csv bodies/contacts.csv contact/contact.csv; do
+for table in plain/history.csv increments/history.csv plain/contacts.csv plain/disks.csv bodies/history.csv bodies/contacts.csv contact/contact.csv; do
     check "$table holds finite numbers only" is_table "$table"
 done
 ends_at() { # the last strain is the asked one, overshot by less than a step

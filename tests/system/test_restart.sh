@@ -17,7 +17,7 @@ sample: {disks: 60, r_min: 0.76 mm, r_max: 1.52 mm}
 contact: {k_n: 160 MPa, mu: 0.5, mu_r: 0.5, friction: dahlberg-alfredsson, k_t: 80 MPa, E_star: 200 MPa}
 compaction: {pressure: 160 kPa, inertial_number: 0.1, unbalanced: 1e-2}
 shear: {inertial_number: 2e-3, strain_end: 0.01, walls: rough}
-output: {frames: 4, rows: 50, contacts: 4, paths: [most-mobilised, wall1-15]}
+output: {frames: 4, rows: 50, contacts: 4, increments: yes, paths: [most-mobilised, wall1-15]}
 CASE
 
 start() {

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# figures/wang/verdicts.awk on numbers made up so that the answers are known: means, Student's intervals, verdicts, seeds to decide.
+# figures/wang/verdicts.awk, and figures/kuhn/tables.awk, on numbers made up so that the answers are known: means, Student's intervals, verdicts, seeds to decide.
 set -u
 # shellcheck source=tests/system/tap.sh
 . "$(dirname "$0")/tap.sh"
@@ -47,4 +47,34 @@ judge 0.05 0.001 1.1
 check 'outside: fails' equals "$(verdict 'almost the same' bagi-kuhn)" '0.0500 0.0480 0.0520 5 fails '
 # below 0.2 and above 0.2 fail for 3 models, 4 % lower for 2, twice
 check 'each claim has one verdict' equals "$(claims)" '18 10 0'
+# below 0.2 and above 0.2 fail for 3 models, 4 % lower for 2
+check 'each claim has one verdict' equals "$(claims)" '14 8 0'
+
+# Kuhn's assemblies: rows of 0.1 % strain up to 30 %, so four blocks from 10 % on. Of the small contacts rolling is twice that of the large
+# ones, and D more in the first of the four blocks; creep changes sin phi by E.
+kuhn=$here/../kuhn/tables.awk
+rows() { # DIR ROLL MORE SIN_PHI
+    mkdir -p "$1"
+    awk -v r="$2" -v d="$3" -v p="$4" 'BEGIN {
+        print "strain,stress_1_Pa,stress_2_Pa,sin_phi,void_ratio,coordination,a_over_R,roll_over_slide_median,creep_over_slide_median"
+        for (k = 0; k <= 300; k++) {
+            s = k/1000
+            printf "%g,%g,%g,%g,%g,%g,%g,%g,%g\n", s, 110 + k%2, 90 + k%2, p, k ? 0.2 : 0.15, k ? 3 : 4, 0.01, (s > 0.0999 && s < 0.1499 ? r + d : r), 0.1
+        } }' >"$1/history.csv"
+}
+rows disks-large-cattaneo-mindlin 3 0 0.3
+rows disks-small-cattaneo-mindlin 6 0.3 0.3
+rows disks-large-kuhn-creep 3 0 0.325
+rows disks-small-kuhn-creep 6 0 0.31
+awk -F, -v tables=tables.csv -f "$kuhn" ./*/history.csv >verdicts.csv
+kuhn_says() { awk -F, -v c="$1" -v r="$2" 'index($1, c) && index($2, r) {print $4, $5, $6, $9, $10}' verdicts.csv; }
+# ratios 2.1, 2, 2, 2: mean 2.025, deviation 0.05, half an interval 3.182446*0.05/2 = 0.07956 (the quantile is good to 1e-3 from 4 on)
+check 'small contacts roll twice as much, by blocks' \
+    equals "$(kuhn_says 'small contacts roll more' disks-small-cattaneo)" '2.025 1.946 2.104 4 holds'
+check 'what creep adds to the strength, within the range' equals "$(kuhn_says 'change the strength' disks-small-kuhn)" '0.01 0.01 0.01 4 holds'
+check 'and beyond it' equals "$(kuhn_says 'change the strength' disks-large-kuhn)" '0.025 0.025 0.025 4 fails'
+check 'a run that is not there has no verdict' equals "$(grep -c 'spheres\|mu-0.3' verdicts.csv)" 0
+# contacts per particle are half of the coordination; stress is 100 and 101 in turn: 0.5/100.5
+check 'the table' equals "$(awk -F, '$1 == "disks-small-kuhn-creep" {print $2, $3, $4, $5, $6, $7, $8, $10, $13}' tables.csv)" \
+    '0.15 2 4 0.01 0.005 0.2 3 0.31 6'
 finish
