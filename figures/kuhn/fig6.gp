@@ -16,7 +16,7 @@ both = "plot for [m = 1:2] file(m, cm) every ::1 using (100*column('strain')):(c
 above = "unset xlabel; set format x ''"
 below = "set xlabel 'axial strain, %' offset 0,0.4; set format x '%g'; unset key"
 @above
-set ylabel 'deviatoric stress over mean, (σ_1 − σ_2)/p' offset 0.8
+set ylabel '(σ_1 − σ_2)/p' offset 0.8
 c = 'q_over_p'
 @both
 @below
@@ -26,11 +26,13 @@ c = 'void_ratio'
 @above
 set logscale y
 set format y '%g'
-set ylabel '|du^{roll}|/|du^{disp}|' offset 1.2
+set yrange [0.3:100]
+set ylabel '|du^{roll}|/|du^{disp}|, median' offset 0.8
 c = 'roll_over_slide_median'
 @both
 @below
-set ylabel 'effect of creep, Kuhn eq. 17' offset 1.2
+set yrange [0.01:0.3]
+set ylabel 'effect of creep, median' offset 0.8
 plot for [m = 1:2] file(m, creep) every ::1 using (100*column('strain')):(column('creep_over_slide_median')) with lines linewidth 2 \
     linecolor rgb color[m]
 unset multiplot

@@ -8,6 +8,8 @@ here=$(cd "$(dirname "$0")" && pwd)
 awk -F, -v tables="$out/tables.csv" -f "$here/tables.awk" "$out"/*/history.csv >"$out/verdicts.csv"
 column -s, -t "$out/verdicts.csv" 2>/dev/null || cat "$out/verdicts.csv"
 command -v gnuplot >/dev/null || { echo "no picture: gnuplot is not installed; the numbers are in $out" >&2; exit 0; }
-fact() { sed -n "s/.*\"$1\": \"*\([^\",]*\).*/\1/p" "$out/disks-large-kuhn-creep/summary.json"; }
-gnuplot -d -e "dir = '$out'; caption = '$(fact n_disks) disks, constant mean stress, μ = 0.5, I = $(fact inertial_number), trundle $(fact version)'" \
-    -e "set output '$out/fig6.png'; set terminal pngcairo size 1350,1080 font 'DejaVu Sans,20' enhanced rounded linewidth 1.5" "$here/fig6.gp"
+# As the resolved case has it; a run that stopped early has no summary.
+fact() { sed -n "s/^ *$2: *\([^ ]*\).*/\1/p" "$out/disks-$1-kuhn-creep/case.yaml" | tail -n 1; }
+caption="large: $(fact large disks) disks, I = $(fact large inertial_number); small: $(fact small disks), $(fact small inertial_number); mean stress held"
+gnuplot -d -e "dir = '$out'; caption = '$caption'; set output '$out/fig6.png'" \
+    -e 'set terminal pngcairo size 1350,1080 font "DejaVu Sans,20" enhanced rounded linewidth 1.5' "$here/fig6.gp"
