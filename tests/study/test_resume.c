@@ -15,8 +15,7 @@ static const char format[] =
     "contact: {k_n: 160 MPa, mu: 0.5, mu_r: 0.5, friction: dahlberg-alfredsson, k_t: 80 MPa, E_star: 200 MPa}\n"
     "compaction: {pressure: 160 kPa, inertial_number: 0.1, unbalanced: 1e-2}\n"
     "shear: {inertial_number: 2e-3, strain_end: 0.01, %s}\n"
-    "output: {frames: 4, rows: 5, contacts: 5, paths: [most-mobilised, %s], path_rows: 7}\n";
-    "output: {frames: 4, rows: 5, contacts: 5, increments: yes, paths: [most-mobilised, %s]}\n";
+    "output: {frames: 4, rows: 5, contacts: 5, paths: [most-mobilised, %s], path_rows: 7, increments: yes}\n";
 
 static volatile sig_atomic_t stop;
 static int compactions, calls;
