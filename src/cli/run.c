@@ -125,6 +125,11 @@ static int run(const arguments *a) {
     tr_status st = {0};
     tr_scene scene;
     if (!tr_scene_read_file(&scene, a->file, a->set, a->n_set, tr_laws_catalog(), &st)) return tr_cli_fail(&st);
+    if (a->sample && scene.kind != TR_KIND_BIAXIAL) {
+        tr_scene_free(&scene);
+        tr_status_fail(&st, TR_BAD_CASE, "error: --sample is of kind: biaxial; %s is of another kind", a->file);
+        return tr_cli_fail(&st);
+    }
     char name[256], dir[300];
     tr_cli_name(a->file, name, sizeof name);
     snprintf(dir, sizeof dir, "out/%s", name);

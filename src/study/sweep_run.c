@@ -78,7 +78,7 @@ static pid_t start(const tr_grid *g, const order *what, tr_status *st) {
     int n = 0;
     const char *const head[] = {"trundle", "run",      g->base,    what->begun ? "--resume" : "--force",
                                 "-o",      what->path, "--sample", what->sample};
-    for (; n < 8; n++) arguments[n] = head[n];
+    for (; n < (*what->sample ? 8 : 6); n++) arguments[n] = head[n];
     for (int i = 0; i < g->n_axes; i++) arguments[n++] = "--set", arguments[n++] = what->sets[i];
     pid_t parent = getpid(), pid = fork();
     if (pid == 0) become((char *const *)arguments, what->log, parent);
@@ -93,14 +93,16 @@ static bool fail(runner *r, int point, const char *what) {
     return true;
 }
 
-/* DIR/samples/HASH.bin: points that compact the same sample share it. */
+/* DIR/samples/HASH.bin: points that compact the same sample share it. "" for other kinds. */
 static bool name_sample(const runner *r, int point, char sample[TR_PATH]) {
     char name[32], samples[TR_PATH];
     tr_scene scene;
     if (!tr_grid_scene(r->g, point, &scene, r->st)) return false;
-    char *text = tr_packing_text(&scene, r->st);
+    bool compacts = scene.kind == TR_KIND_BIAXIAL;
+    char *text = compacts ? tr_packing_text(&scene, r->st) : NULL;
     tr_scene_free(&scene);
-    if (!text) return false;
+    *sample = '\0';
+    if (!text) return !compacts;
     snprintf(name, sizeof name, "%016llx.bin", (unsigned long long)tr_hash(TR_HASH_BEGIN, text, strlen(text)));
     free(text);
     return tr_dir_make(r->o->dir, "samples", r->st) && tr_dir_path(samples, r->o->dir, "samples", r->st) &&

@@ -187,7 +187,15 @@ slow_victim() { # one of three runs, which would take minutes, is killed from ou
 check 'a run that is killed fails alone' slow_victim
 check 'a point with all its helpers' env PATH="$everything" timeout 60 "$TRUNDLE" sweep sweep.yaml -o curves --index 0
 
+# ---- kinds without a sample ----
+write_bodies_case bodies.yaml
+printf 'kind: sweep\nbase: bodies.yaml\nvary: {output.rows: [10, 20]}\ncollect: [steps]\n' >bodies-sweep.yaml
+check 'a sweep of bodies' sweep_gives 0 bodies-sweep.yaml -o bodies
+check 'has no packings' not test -e bodies/samples
+
 # ---- bad input: nothing is run, nothing made ----
+no_sample() { run_gives 2 bodies.yaml -o none --sample x.bin && says stderr '--sample is of kind: biaxial'; }
+check '--sample of a kind that has none' no_sample
 sed 's/mu_r:/mu_R:/; /compare/d' sweep.yaml >bad.yaml
 check 'an unknown key' sweep_gives 2 bad.yaml -o bad
 check 'its line' says stderr 'bad.yaml:4:8: error: point 0 (mu_R=0'
