@@ -132,7 +132,7 @@ clean:
 help:
 	@echo 'make biaxial   install what is missing, build, run the biaxial test of cases/biaxial.yaml'
 	@echo 'make test      install what is missing, build, run all tests; last line: N passed, N failed'
-	@echo 'make figures   build, and draw figures/*.gp with their data into out/figures/ (needs gnuplot)'
+	@echo 'make figures   build, and draw figures/*.gp with their data into out/figures/ (needs gnuplot); then make wang and make bands'
 	@echo 'make features  build, measure what each feature and each law costs, and draw it: out/figures/features.png'
 	@echo 'make wang      build, sweep the biaxial test as Wang did, and judge each claim: out/wang/; SEEDS=3 for a minute of it'
 	@echo 'make kuhn      build, shear assemblies with small and large contacts, with and without creep, and judge what Kuhn saw: out/kuhn-1000/; DISKS=400 is quicker'

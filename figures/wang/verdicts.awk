@@ -20,6 +20,7 @@ NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i; next }
 }
 # 0.975 quantile of Student's t: Abramowitz & Stegun 26.7.5, to 0.001 from 4 degrees of freedom on
 function student(f,   x) {
+    if (f < 4) return f == 1 ? 12.7062 : f == 2 ? 4.30265 : 3.18245
     x = 1.959964
     return x + (x^3 + x)/(4*f) + (5*x^5 + 16*x^3 + 3*x)/(96*f^2) + (3*x^7 + 19*x^5 + 17*x^3 - 15*x)/(384*f^3)
 }

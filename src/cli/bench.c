@@ -33,10 +33,8 @@ static error_t parse(int key, char *value, struct argp_state *state) {
         tr_threads_set(tr_cli_whole(value, 1, TR_MOST_THREADS, "--threads", state));
     else if (key == PACKING)
         a->packing = value;
-    else if (key == SIZES && (a->largest = atoi(value)) < 100)
-        argp_error(state, "--sizes needs a number of disks from 100 on");
     else if (key == SIZES)
-        return 0;
+        a->largest = tr_cli_whole(value, 100, 1000000, "--sizes", state);
     else if (key == 'o')
         a->out = value;
     else if (key == ARGP_KEY_ARG && !a->file)

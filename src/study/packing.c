@@ -8,11 +8,15 @@
 #include "laws/law.h"
 #include <errno.h>
 #include <fcntl.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
+
+enum { VERSION = 1 }; /* one more when a change of the program makes other packings of the same case */
 
 char *tr_packing_text(const tr_scene *scene, tr_status *st) {
     tr_scene compaction = {.kind = scene->kind,
@@ -22,7 +26,11 @@ char *tr_packing_text(const tr_scene *scene, tr_status *st) {
                            .sample = scene->sample,
                            .compaction = scene->compaction,
                            .contact = tr_biaxial_compaction_laws(scene)};
-    return tr_scene_write(&compaction, tr_laws_catalog(), st);
+    char *resolved = tr_scene_write(&compaction, tr_laws_catalog(), st), *text = NULL;
+    if (resolved && asprintf(&text, "packing: %d\n%s", VERSION, resolved) < 0)
+        text = NULL, tr_status_fail(st, TR_FILE, "error: out of memory");
+    free(resolved);
+    return text;
 }
 
 static bool name_file(tr_packing *p, const char *path, tr_status *st) {
@@ -31,6 +39,28 @@ static bool name_file(tr_packing *p, const char *path, tr_status *st) {
     p->dir = slash ? strndup(path, (size_t)(slash - path) + 1) : strdup(".");
     p->name = strdup(slash ? slash + 1 : path);
     return (p->dir && p->name) || tr_status_fail(st, TR_FILE, "error: out of memory");
+}
+
+bool tr_packing_check(const tr_scene *scene, const char *path, tr_status *st) {
+    tr_packing p = {.lock = -1};
+    tr_status instead = {0};
+    tr_checkpoint c = {0};
+    bool ok = (p.text = tr_packing_text(scene, st)) && name_file(&p, path, st);
+    if (ok && !*p.name) ok = tr_status_fail(st, TR_FILE, "error: --sample needs the name of a file, not `%s`", path);
+    if (ok && !access(path, F_OK))
+        ok = tr_checkpoint_open(&c, p.dir, p.name, p.text, &instead, st);
+    else if (ok && access(p.dir, W_OK | X_OK))
+        ok = tr_status_fail(st, TR_FILE, "error: cannot write %s: %s", path, strerror(errno));
+    free(c.bytes);
+    tr_packing_close(&p);
+    return ok;
+}
+
+/* The file that is locked is still the one of that name: not one that was removed after a failure. */
+static bool is_part(const tr_packing *p) {
+    struct stat ours, there;
+    return !fstat(p->lock, &ours) && !stat(p->part, &there) && ours.st_ino == there.st_ino &&
+           ours.st_dev == there.st_dev;
 }
 
 /* Who holds the lock on the part makes the packing. The lock ends with the process, whatever ended it. */
@@ -42,7 +72,9 @@ static bool wait_for_part(tr_packing *p, const char *path, const tr_run_options 
             return tr_status_fail(st, TR_INTERRUPTED, "stopped while another run makes %s", path);
         nanosleep(&(struct timespec){.tv_nsec = 5000000}, NULL);
     }
-    return true;
+    if (is_part(p) || !access(path, F_OK)) return true;
+    close(p->lock);
+    return wait_for_part(p, path, options, st);
 }
 
 static void keep(tr_biaxial *b, double *unbalanced, tr_checkpoint *c) {

@@ -8,8 +8,11 @@
 #include "core/biaxial.h"
 #include "study/run.h"
 
-/* The case.yaml of the compaction alone; free it. Equal texts, equal packings. */
+/* The case.yaml of the compaction alone, and which packings this program makes; free it. Equal texts, equal packings. */
 char *tr_packing_text(const tr_scene *scene, tr_status *st);
+
+/* Finds, before a run touches its directory, that the file is of another case or damaged, or that there is no place for it (TR_FILE). */
+bool tr_packing_check(const tr_scene *scene, const char *path, tr_status *st);
 
 /* One file, for one of the runs that want it at once. */
 typedef struct tr_packing {

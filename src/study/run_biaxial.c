@@ -378,6 +378,7 @@ bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run
               (t->series.rolling_share = tr_alloc(rows, sizeof(double), st)) &&
               (t->series.opposed_fraction = tr_alloc(rows, sizeof(double), st)) &&
               (t->fill = tr_alloc(disks, sizeof(double), st)) && (t->ends = tr_alloc(disks, sizeof(int), st)) &&
+              (!options->sample || tr_packing_check(scene, options->sample, st)) &&
               tr_run_open(scene, options, &t->resume, report, st);
     if (ok && t->resume.loading) keep_stage(t, &t->resume);
     bool rehearsed = t->resume.loading && !t->rehearsal;

@@ -239,7 +239,7 @@ static void test_what_is_not_ours_is_refused(void **state) {
     must_save(6), must_save(7);
     assert_int_equal(load("kind: biaxial\nseed: 2 # the sample\nmu: 0.5\n", &instead, &st), -1);
     assert_int_equal(st.code, TR_FILE);
-    assert_non_null(strstr(st.text, "another case: it has `seed: 1 `, this one `seed: 2 `"));
+    assert_non_null(strstr(st.text, "another case: it has `seed: 1`, this one `seed: 2`"));
     assert_int_equal(load("kind: biaxial\n", &instead, &st), -1);
     assert_non_null(strstr(st.text, "another case"));
     size_t n = get(newest, bytes, sizeof bytes);

@@ -86,11 +86,20 @@ static void test_the_same_bytes_in_a_cell(void **state) {
     starts_the_same("boundary=periodic");
 }
 
-static void assert_refused(const char *const *sets, int n, const char *why) {
+/* And a finished run that was to be replaced is still there. */
+static void refuses(const char *const *sets, int n, const char *sample, const char *why) {
     tr_status st;
-    assert_false(run("refused", sets, n, file, &st));
+    char summary[128];
+    must_run("refused", NULL, 0, NULL);
+    snprintf(summary, sizeof summary, "%s/refused/summary.json", dir);
+    assert_false(run("refused", sets, n, sample, &st));
     assert_int_equal(st.code, TR_FILE);
     if (!strstr(st.text, why)) fail_msg("no \"%s\" in: %s", why, st.text);
+    assert_int_equal(access(summary, F_OK), 0);
+}
+
+static void assert_refused(const char *const *sets, int n, const char *why) {
+    refuses(sets, n, file, why);
 }
 
 /* Friction while compacting makes all of the friction law part of the packing. */
@@ -148,10 +157,8 @@ static void test_one_makes_it(void **state) {
 
 static void test_no_place_for_it(void **state) {
     (void)state;
-    tr_status st;
-    assert_false(run("nowhere", NULL, 0, "/nowhere/sample.bin", &st));
-    assert_int_equal(st.code, TR_FILE);
-    assert_non_null(strstr(st.text, "cannot write /nowhere/sample.bin"));
+    refuses(NULL, 0, "/nowhere/sample.bin", "cannot write /nowhere/sample.bin");
+    refuses(NULL, 0, "", "--sample needs the name of a file");
 }
 
 static int begin(void **state) {
