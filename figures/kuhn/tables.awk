@@ -30,7 +30,7 @@ FNR == 2 {
 }
 function block(run, name, b) { return sum[run, name, b]/count[run, b] }
 function of(run, name) { return at_23[run] ? mean_23[run, name]/at_23[run] : "" }
-function student(f,   x) { # 0.975 quantile: Abramowitz & Stegun 26.7.5
+function student(f,   x) { # 0.975 quantile: tables, then Abramowitz & Stegun 26.7.5
     if (f < 4) return f == 1 ? 12.7062 : f == 2 ? 4.30265 : 3.18245
     x = 1.959964
     return x + (x^3 + x)/(4*f) + (5*x^5 + 16*x^3 + 3*x)/(96*f^2) + (3*x^7 + 19*x^5 + 17*x^3 - 15*x)/(384*f^3)

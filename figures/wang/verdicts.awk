@@ -18,7 +18,7 @@ NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i; next }
     e[v, m, s] = $column["e_residual"]; e0[s] = $column["e0"]
     opposed[v, m, s] = $column["opposed_fraction_residual"]
 }
-# 0.975 quantile of Student's t: Abramowitz & Stegun 26.7.5, to 0.001 from 4 degrees of freedom on
+# 0.975 quantile of Student's t: from tables below 4 degrees of freedom, else Abramowitz & Stegun 26.7.5, to 0.001
 function student(f,   x) {
     if (f < 4) return f == 1 ? 12.7062 : f == 2 ? 4.30265 : 3.18245
     x = 1.959964
