@@ -61,8 +61,10 @@ check 'every size up to the largest' equals "$(awk -F, 'NR > 1 {printf "%s ", $1
 check 'quartiles about the median, shares below 1' awk -F, \
     'NR > 1 && !($3 > 0 && $3 <= $2 && $2 <= $4 && $6 > 0 && $6 <= $5 && $5 <= $7 && $12 > 0 && $12 < 1 && $13 > 0) {print; bad = 1}
     END {exit bad}' "$work/sizes.csv"
-# Of a cycle, not of a median: 10 % for the difference.
-check 'time of a step is that of its contacts' awk -F, 'NR > 1 && ($2/$5/$8*1e3 > 1.1 || $2/$5/$8*1e3 < 0.9) {print; bad = 1} END {exit bad}' "$work/sizes.csv"
+# In each cycle; medians may be of two cycles, of different speed while the machine does other things too. So the quartiles overlap, with 10 %
+# for the contacts, which are a mean.
+check 'time of a step is that of its contacts' awk -F, \
+    'NR > 1 && (0.9*$3/$8*1e3 > $7 || 1.1*$4/$8*1e3 < $6) {print; bad = 1} END {exit bad}' "$work/sizes.csv"
 # A tile has 4 x 35 disks at its cuts: pairs missing or doubled there would be 5 to 10 %.
 check 'four tiles are packed like one' awk -F, '$1 == 1000 {one = $9/$1} $1 == 4000 {four = $9/$1}
     END {print one, four; exit !(four > 0.97*one && four < 1.03*one)}' "$work/sizes.csv"
