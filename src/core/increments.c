@@ -71,6 +71,7 @@ void tr_increments_attach(tr_world *world, tr_increments *s) {
         const double *E_star = tr_law_value(g->slot[k].law, g->slot[k].par, "E_star");
         if (E_star) s->E_star = *E_star;
     }
+    g->in_order = true;
     tr_group_attach(g, &s->sink, "increments", step, N_HIST);
 }
 

@@ -76,6 +76,7 @@ void tr_paths_attach(tr_world *world, tr_paths *paths) {
     for (int k = 0; k < 2; k++) {
         tr_group *g = &world->group[k];
         g->paths_sink.paths = paths;
+        g->in_order = true;
         tr_group_attach(g, &g->paths_sink, "paths", step, paths->all ? N_HIST : 0);
     }
 }

@@ -204,7 +204,7 @@ bool tr_step_forces(tr_world *world, tr_status *st) {
     for (int w = 0; w < world->n_walls; w++) world->wall[w].fx = world->wall[w].fy = 0;
     world->cell.virial[0] = world->cell.virial[1] = 0;
     double dt = world->fresh ? 0 : world->dt;
-    if (use_threads(world)) {
+    if (use_threads(world) && !world->group[0].in_order) {
         if (!disk_forces(world, dt, st)) return false;
     } else {
         begin_forces(&world->disks, 0, world->disks.n);

@@ -103,13 +103,14 @@ enum { TR_NORMAL, TR_FRICTION, TR_ROLLING, TR_N_SLOTS };
 struct tr_group {
     bool walls;
     tr_shape shape;
-    bool spins; /* friction or rolling: spins are gathered and torques scattered */
+    bool spins;    /* friction or rolling: spins are gathered and torques scattered */
+    bool in_order; /* a sink sums over contacts, or numbers them: one tile after the other, by one thread */
     int n, capacity;
     int *a, *b;
     int n_hist, n_pair;
     double *hist[TR_GROUP_HIST];
-    double *pair
-        [TR_GROUP_PAIR]; /* the first three: R1, R2, g1; of disks in a cell then the image of b: numbers along x, y */
+    double
+        *pair[TR_GROUP_PAIR]; /* R1, R2, g1; of disks in a cell the image of b along x and y; then those of the laws */
     tr_slot slot[TR_N_SLOTS];
     tr_sink ledger_sink, arcs_sink, paths_sink; /* group == NULL: not attached */
     tr_pass pass[TR_MAX_PASSES];

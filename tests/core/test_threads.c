@@ -3,6 +3,8 @@
  * restart. Between walls and in a periodic cell, with ledger and arcs. One thread runs another code, which stores nothing: the
  * reference. */
 #include "base/threads.h"
+#include "core/increments.h"
+#include "core/paths.h"
 #include "core/worlds.h"
 
 /* 4900 disks of a lattice that overlap by up to 2.5 % or not at all, numbered by rows: each share of the disks has contacts with
@@ -48,6 +50,44 @@ static void assert_same(const tr_world *p, const tr_world *q) {
     }
 }
 
+/* Sinks that sum over contacts, or number them, get the same too. */
+typedef struct watched {
+    tr_world world;
+    tr_increments increments;
+    tr_paths paths;
+} watched;
+
+static void watch(watched *w, int threads) {
+    move(&w->world, true, 1, 1);
+    test_laws laws = sand;
+    set_laws(&w->world, laws, 0);
+    w->paths = (tr_paths){.all = true};
+    tr_paths_attach(&w->world, &w->paths);
+    tr_increments_attach(&w->world, &w->increments);
+    tr_threads_set(threads);
+    steps(&w->world, STEPS);
+    forces(&w->world);
+    tr_threads_set(1);
+}
+
+static void threads_change_no_sum(void **state) {
+    (void)state;
+    static watched one, more;
+    watch(&one, 1);
+    assert_true(one.paths.lives > ROW * ROW && one.increments.since.touching > STEPS * ROW * ROW / 2);
+    for (int threads = 2; threads <= 3; threads++) {
+        watch(&more, threads);
+        assert_same_bits(&one.world, &more.world);
+        assert_memory_equal(&one.increments.since, &more.increments.since, sizeof one.increments.since);
+        assert_int_equal(one.paths.lives, more.paths.lives);
+        const tr_group *g = &one.world.group[0], *h = &more.world.group[0];
+        assert_int_equal(g->n, h->n);
+        for (int i = 0; i < g->n_hist; i++) assert_memory_equal(g->hist[i], h->hist[i], (size_t)g->n * sizeof(double));
+        tr_world_free(&more.world);
+    }
+    tr_world_free(&one.world);
+}
+
 static void threads_change_no_bit(void **state) {
     (void)state;
     static const int threads[][2] = {{2, 2}, {3, 3}, {3, 2}, {2, 1}};
@@ -67,6 +107,7 @@ static void threads_change_no_bit(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(threads_change_no_bit)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(threads_change_no_bit),
+                                       cmocka_unit_test(threads_change_no_sum)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
