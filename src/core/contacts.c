@@ -87,7 +87,8 @@ static double largest_move(const tr_disks *d, const double *ref) {
     double largest = 0;
     for (int i = 0; i < d->n; i++) {
         double dx = d->pos[4 * i] - ref[2 * i], dy = d->pos[4 * i + 1] - ref[2 * i + 1];
-        largest = fmax(largest, dx * dx + dy * dy);
+        double square = dx * dx + dy * dy;
+        largest = square > largest ? square : largest;
     }
     return sqrt(largest);
 }
@@ -101,6 +102,24 @@ static bool search(tr_world *world, tr_status *st) {
     return world->broad->find(world->finder, &input, &world->near, st);
 }
 
+static bool fail_at(const tr_world *world, tr_status *st, const char *what, const char *which) {
+    return tr_status_fail(st, TR_NUMERICAL, "error: %s: %s, at step %lld, time %.9g s", which, what,
+                          (long long)world->steps, (double)world->steps * world->dt);
+}
+
+static void name_contact(bool walls, int a, int b, char *text, size_t size) {
+    snprintf(text, size, walls ? "contact of wall %d with disk %d" : "contact of disks %d and %d", a, b);
+}
+
+/* R: the smaller radius. */
+static bool check_overlap(const tr_world *world, bool walls, int a, int b, double delta, double R, tr_status *st) {
+    char which[96], what[160];
+    if (!(delta > TR_LARGEST_OVERLAP * R)) return true;
+    name_contact(walls, a, b, which, sizeof which);
+    snprintf(what, sizeof what, "overlap %.3g m is above 0.3 of the radius %.3g m", delta, R);
+    return fail_at(world, st, what, which);
+}
+
 /* Every disk and wall is looked at: n_walls n, at refreshes only. */
 static bool refresh_walls(tr_world *world, tr_status *st) {
     tr_group *g = &world->group[1];
@@ -109,8 +128,10 @@ static bool refresh_walls(tr_world *world, tr_status *st) {
     for (int w = 0; w < world->n_walls; w++)
         for (int i = 0; i < world->disks.n; i++) {
             const double *pos = world->disks.pos + 4 * (size_t)i;
-            if (tr_contacts_wall_distance(&world->wall[w], pos) - pos[3] >= world->thin_skin) continue;
-            if (!tr_contacts_reserve(g, g->n + 1, st)) return false;
+            double delta = pos[3] - tr_contacts_wall_distance(&world->wall[w], pos);
+            if (delta <= -world->thin_skin) continue;
+            if (!check_overlap(world, true, w, i, delta, pos[3], st) || !tr_contacts_reserve(g, g->n + 1, st))
+                return false;
             group_append(world, g, w, i, NULL, &old);
         }
     return true;
@@ -124,73 +145,48 @@ static bool refresh_disks(tr_world *world, tr_status *st) {
     for (int i = 0; i < world->near.n; i++) {
         int a = world->near.a[i], b = world->near.b[i];
         const double *p = world->disks.pos + 4 * (size_t)a, *q = world->disks.pos + 4 * (size_t)b;
-        double image[2], reach = p[3] + q[3] + world->thin_skin;
-        if (tr_cell_distance(&world->cell, p, q, image) < reach) group_append(world, g, a, b, image, &old);
+        double image[2], delta = p[3] + q[3] - tr_cell_distance(&world->cell, p, q, image);
+        if (delta <= -world->thin_skin) continue;
+        if (!check_overlap(world, false, a, b, delta, p[3] < q[3] ? p[3] : q[3], st)) return false;
+        group_append(world, g, a, b, image, &old);
     }
     for (int k = 0; k < BEHIND && g->capacity; k++) g->a[g->n + k] = g->b[g->n + k] = 0;
     return true;
 }
 
-static bool fail_at(const tr_world *world, tr_status *st, const char *what, const char *which) {
-    return tr_status_fail(st, TR_NUMERICAL, "error: %s: %s, at step %lld, time %.9g s", which, what,
-                          (long long)world->steps, (double)world->steps * world->dt);
-}
-
 static bool check_finite(const tr_world *world, tr_status *st) {
-    for (int i = 0; i < world->disks.n; i++)
-        for (int k = 4 * i; k < 4 * i + 3; k++)
-            if (!isfinite(world->disks.pos[k]) || !isfinite(world->disks.vel[k])) {
-                char which[32];
-                snprintf(which, sizeof which, "disk %d", i);
-                return fail_at(world, st, "its position or velocity is not finite", which);
-            }
+    const double *pos = world->disks.pos, *vel = world->disks.vel;
+    for (int i = 0; i < world->disks.n; i++) {
+        const size_t k = 4 * (size_t)i;
+        double zero = 0 * (pos[k] + pos[k + 1] + pos[k + 2] + vel[k] + vel[k + 1] + vel[k + 2]); /* of what is finite */
+        if (zero == 0) continue;
+        char which[32];
+        snprintf(which, sizeof which, "disk %d", i);
+        return fail_at(world, st, "its position or velocity is not finite", which);
+    }
     return true;
 }
 
-static void name_contact(const tr_group *g, int i, char *text, size_t size) {
-    snprintf(text, size, g->walls ? "contact of wall %d with disk %d" : "contact of disks %d and %d", g->a[i], g->b[i]);
-}
-
-static bool check_contacts(const tr_world *world, tr_status *st) {
+static bool check_step(const tr_world *world, tr_status *st) {
     char which[96], what[160];
-    for (int k = 0; k < 2; k++) {
-        const tr_group *g = &world->group[k];
-        for (int i = 0; i < g->n; i++) {
-            const double *q = world->disks.pos + 4 * (size_t)g->b[i];
-            double R = q[3], delta;
-            if (g->walls) {
-                delta = R - tr_contacts_wall_distance(&world->wall[g->a[i]], q);
-            } else {
-                const double *p = world->disks.pos + 4 * (size_t)g->a[i];
-                delta = p[3] + q[3] - tr_cell_distance(&world->cell, p, q, NULL);
-                R = fmin(R, p[3]);
-            }
-            if (delta > TR_LARGEST_OVERLAP * R) {
-                name_contact(g, i, which, sizeof which);
-                snprintf(what, sizeof what, "overlap %.3g m is above 0.3 of the radius %.3g m", delta, R);
-                return fail_at(world, st, what, which);
-            }
-        }
-    }
     tr_timestep_limit limit = tr_timestep_contacts(world);
-    if (world->dt > limit.dt && !world->allow_unstable) {
-        name_contact(&world->group[limit.group], limit.contact, which, sizeof which);
-        snprintf(what, sizeof what, "the step %.4g s is above the stability bound %.4g s", world->dt, limit.dt);
-        return fail_at(world, st, what, which);
-    }
-    return true;
+    if (world->dt <= limit.dt || world->allow_unstable) return true;
+    const tr_group *g = &world->group[limit.group];
+    name_contact(g->walls, g->a[limit.contact], g->b[limit.contact], which, sizeof which);
+    snprintf(what, sizeof what, "the step %.4g s is above the stability bound %.4g s", world->dt, limit.dt);
+    return fail_at(world, st, what, which);
 }
 
 /* A disk that leaps in one step could pass through another one unseen. */
 static bool check_leap(const tr_world *world, tr_status *st) {
     for (int i = 0; i < world->disks.n; i++) {
-        const double *v = world->disks.vel + 4 * (size_t)i, R = world->disks.pos[4 * (size_t)i + 3];
-        double leap = sqrt(v[0] * v[0] + v[1] * v[1]) * world->dt;
-        if (leap <= TR_LARGEST_OVERLAP * R) continue;
+        const double *v = world->disks.vel + 4 * (size_t)i;
+        double leap = TR_LARGEST_OVERLAP * world->disks.pos[4 * (size_t)i + 3] / world->dt;
+        if (v[0] * v[0] + v[1] * v[1] <= leap * leap) continue;
         char which[32], what[160];
         snprintf(which, sizeof which, "disk %d", i);
         snprintf(what, sizeof what, "it moves %.3g m in one step, more than 0.3 of its radius; give a smaller step.dt",
-                 leap);
+                 hypot(v[0], v[1]) * world->dt);
         return fail_at(world, st, what, which);
     }
     return true;
@@ -204,12 +200,12 @@ bool tr_contacts_refresh(tr_world *world, tr_status *st) {
     bool enough = world->searches > 0 && world->near.n && moved + world->thin_skin <= world->wide_skin;
     if (!enough && !search(world, st)) return false;
     if (!refresh_disks(world, st) || !refresh_walls(world, st)) return false;
-    int *z = world->disks.coordination; /* which check_contacts counts anew */
+    int *z = world->disks.coordination; /* which check_step counts anew */
     count_listed(world, z);
     for (int k = 0; k < 2; k++) group_constants(world, &world->group[k], z);
     copy_centres(&world->disks, world->thin_ref);
     world->wall_moved = world->cell.moved[0] = 0;
     world->stale = false;
     world->refreshes++;
-    return check_contacts(world, st);
+    return enough || check_step(world, st);
 }

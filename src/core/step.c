@@ -10,45 +10,61 @@
 #include <string.h>
 
 /* ---- gather: from the bodies to the tile ---- */
-/* Four contacts at a time: loads of 32 bytes, turned in registers into lanes, stored as whole vectors. Against one
- * number at a time the whole step gains 15 % (`trundle bench`). It may read up to three contacts behind the end of the
- * list; see contacts.c. */
+/* Four contacts at a time: loads of 32 bytes, of which differences are taken before they are turned in registers into lanes, stored
+ * as whole vectors. Against one number at a time the whole step gains 15 % (`trundle bench`). It may read up to three
+ * contacts behind the end of the list; see contacts.c. */
 
-/* Numbers 0, 1 and 2 of four quads, each as a vector. */
+/* Numbers `first` and first + 1 of four quads, each as a vector. */
 typedef struct lanes {
-    tr_quad x, y, z;
+    tr_quad one, two;
 } lanes;
 
-static inline lanes turn(const tr_quad *p, const tr_quad *q, const tr_quad *r, const tr_quad *s) {
-    tr_quad even_pq = __builtin_shufflevector(*p, *q, 0, 4, 2, 6), odd_pq = __builtin_shufflevector(*p, *q, 1, 5, 3, 7);
-    tr_quad even_rs = __builtin_shufflevector(*r, *s, 0, 4, 2, 6), odd_rs = __builtin_shufflevector(*r, *s, 1, 5, 3, 7);
-    return (lanes){__builtin_shufflevector(even_pq, even_rs, 0, 1, 4, 5),
-                   __builtin_shufflevector(odd_pq, odd_rs, 0, 1, 4, 5),
-                   __builtin_shufflevector(even_pq, even_rs, 2, 3, 6, 7)};
+static inline lanes turn(tr_quad low, tr_quad high) {
+    return (lanes){__builtin_shufflevector(low, high, 0, 4, 2, 6), __builtin_shufflevector(low, high, 1, 5, 3, 7)};
+}
+static inline lanes numbers_01(const tr_quad q[4]) {
+    return turn(__builtin_shufflevector(q[0], q[2], 0, 1, 4, 5), __builtin_shufflevector(q[1], q[3], 0, 1, 4, 5));
+}
+static inline lanes numbers_23(const tr_quad q[4]) {
+    return turn(__builtin_shufflevector(q[0], q[2], 2, 3, 6, 7), __builtin_shufflevector(q[1], q[3], 2, 3, 6, 7));
 }
 
 TR_VECTOR static void gather_disks(tr_tile *restrict tile, const tr_group *g, const tr_disks *d) {
     const tr_quad *restrict pos = (const tr_quad *)d->pos, *restrict vel = (const tr_quad *)d->vel;
     for (int i = 0; i < tile->n; i += 4) {
         const int *a = g->a + tile->first + i, *b = g->b + tile->first + i;
-        lanes x1 = turn(&pos[a[0]], &pos[a[1]], &pos[a[2]], &pos[a[3]]);
-        lanes x2 = turn(&pos[b[0]], &pos[b[1]], &pos[b[2]], &pos[b[3]]);
-        lanes v1 = turn(&vel[a[0]], &vel[a[1]], &vel[a[2]], &vel[a[3]]);
-        lanes v2 = turn(&vel[b[0]], &vel[b[1]], &vel[b[2]], &vel[b[3]]);
-        *(tr_quad *)&tile->dx[i] = x2.x - x1.x, *(tr_quad *)&tile->dy[i] = x2.y - x1.y;
-        *(tr_quad *)&tile->dvx[i] = v2.x - v1.x, *(tr_quad *)&tile->dvy[i] = v2.y - v1.y;
-        *(tr_quad *)&tile->w1[i] = v1.z, *(tr_quad *)&tile->w2[i] = v2.z;
+        tr_quad x[4], v[4], v1[4], v2[4];
+        for (int k = 0; k < 4; k++) {
+            x[k] = pos[b[k]] - pos[a[k]];
+            v1[k] = vel[a[k]], v2[k] = vel[b[k]], v[k] = v2[k] - v1[k];
+        }
+        lanes dx = numbers_01(x), dv = numbers_01(v);
+        *(tr_quad *)&tile->dx[i] = dx.one, *(tr_quad *)&tile->dy[i] = dx.two;
+        *(tr_quad *)&tile->dvx[i] = dv.one, *(tr_quad *)&tile->dvy[i] = dv.two;
+        *(tr_quad *)&tile->w1[i] = numbers_23(v1).one, *(tr_quad *)&tile->w2[i] = numbers_23(v2).one;
     }
 }
 
-static void gather_walls(tr_tile *restrict tile, const tr_group *g, const tr_disks *d, const tr_wall *wall) {
-    for (int i = 0; i < tile->n; i++) {
-        const tr_wall *w = &wall[g->a[tile->first + i]];
-        const double *q = d->pos + 4 * (size_t)g->b[tile->first + i], *v = d->vel + 4 * (size_t)g->b[tile->first + i];
-        tile->nx[i] = w->nx, tile->ny[i] = w->ny;
-        tile->dx[i] = tr_contacts_wall_distance(w, q);
-        tile->dvx[i] = v[0] - w->vx, tile->dvy[i] = v[1] - w->vy;
-        tile->w1[i] = 0, tile->w2[i] = v[2];
+/* A tile's contacts with one wall lie side by side: those from i to before the end that is returned. */
+static int same_wall(const tr_tile *tile, const tr_group *g, int i) {
+    const int *a = g->a + tile->first;
+    int end = i + 1;
+    while (end < tile->n && a[end] == a[i]) end++;
+    return end;
+}
+
+TR_VECTOR static void gather_walls(tr_tile *restrict tile, const tr_group *g, const tr_disks *d, const tr_wall *wall) {
+    for (int i = 0, end; i < tile->n; i = end) {
+        const tr_wall w = wall[g->a[tile->first + i]];
+        end = same_wall(tile, g, i);
+        for (int k = i; k < end; k++) {
+            size_t at = 4 * (size_t)g->b[tile->first + k];
+            const double *q = d->pos + at, *v = d->vel + at;
+            tile->nx[k] = w.nx, tile->ny[k] = w.ny;
+            tile->dx[k] = tr_contacts_wall_distance(&w, q);
+            tile->dvx[k] = v[0] - w.vx, tile->dvy[k] = v[1] - w.vy;
+            tile->w1[k] = 0, tile->w2[k] = v[2];
+        }
     }
 }
 
@@ -64,11 +80,17 @@ TR_VECTOR static void scatter_disks(const tr_tile *restrict tile, const tr_group
     }
 }
 
-static void scatter_walls(const tr_tile *tile, const tr_group *g, const tr_disks *d, tr_wall *wall) {
-    for (int i = 0; i < tile->n; i++) {
+TR_VECTOR static void scatter_walls(const tr_tile *restrict tile, const tr_group *g, const tr_disks *d, tr_wall *wall) {
+    tr_quad *force = (tr_quad *)d->force;
+    for (int i = 0, end; i < tile->n; i = end) {
         tr_wall *w = &wall[g->a[tile->first + i]];
-        w->fx -= tile->fx[i], w->fy -= tile->fy[i];
-        ((tr_quad *)d->force)[g->b[tile->first + i]] += (tr_quad){tile->fx[i], tile->fy[i], tile->q2[i], 0};
+        double fx = w->fx, fy = w->fy; /* in registers: through memory each sum would wait for the one before */
+        end = same_wall(tile, g, i);
+        for (int k = i; k < end; k++) {
+            fx -= tile->fx[k], fy -= tile->fy[k];
+            force[g->b[tile->first + k]] += (tr_quad){tile->fx[k], tile->fy[k], tile->q2[k], 0};
+        }
+        w->fx = fx, w->fy = fy;
     }
 }
 

@@ -12,7 +12,7 @@
 
 /* Of the mean diameter; the speed is flat around these. Overlaps are looked at when a body has moved half the thin skin, so that it is
  * no thicker than what the smallest disk may overlap. */
-static const double WIDE_SKIN = 0.30, THIN_SKIN = 0.05;
+static const double WIDE_SKIN = 0.30, THIN_SKIN = 0.025;
 
 bool tr_world_init(tr_world *world, int n, tr_shape shape, tr_status *st) {
     *world = (tr_world){.shape = shape, .disks.n = n, .group[1].walls = true, .stale = true};

@@ -44,7 +44,7 @@ typedef struct tr_disks {
     double *pos, *vel, *force, *inv; /* n*4 each, see above; inv is 0 where the motion is prescribed */
     double *load;                    /* n*4: what acts on a disk besides contacts: weight, torque; NULL: nothing does */
     double *mass;                    /* n [kg/m] */
-    int *coordination;               /* n: touching contacts of each, as of the last tr_timestep_contacts */
+    int *coordination;               /* n: contacts of each: listed, or touching once tr_timestep_contacts was asked */
 } tr_disks;
 
 /* A rigid plane through (x, y); the disks are on the side of its unit normal. It does not rotate. */
