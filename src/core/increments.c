@@ -72,7 +72,14 @@ void tr_increments_attach(tr_world *world, tr_increments *s) {
         if (E_star) s->E_star = *E_star;
     }
     g->in_order = true;
+    g->increments_sink = &s->sink;
     tr_group_attach(g, &s->sink, "increments", step, N_HIST);
+}
+
+tr_increment tr_increments_of(const tr_group *g, int i) {
+    if (!g->increments_sink) return (tr_increment){0};
+    double *const *h = g->hist + g->increments_sink->hist;
+    return (tr_increment){h[SLIDE][i], h[ROLL][i], h[CREEP][i], h[TOUCHED][i] != 0};
 }
 
 static int ascending(const void *a, const void *b) {

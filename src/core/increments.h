@@ -51,8 +51,17 @@ typedef struct tr_increments_state {
     double long_runs;          /* share of the way in runs that is in runs above 2 a */
 } tr_increments_state;
 
+/* What one contact has done since the last read, or since it touched [m]; signs as Vs, s1 and s2 have them. */
+typedef struct tr_increment {
+    double slide, roll, creep;
+    bool followed; /* it touched all the time */
+} tr_increment;
+
 /* From here on; *increments must outlive the world's laws. Call it after the laws are set. */
 void tr_increments_attach(tr_world *world, tr_increments *increments);
+
+/* After tr_step_forces, of contact i of a group; all 0 where there is no such sink: walls have none. */
+tr_increment tr_increments_of(const tr_group *group, int i);
 
 /* After tr_step_forces; a new interval begins. */
 bool tr_increments_read(tr_increments *increments, tr_increments_state *state, tr_status *st);

@@ -63,6 +63,7 @@ static void collect(void *context, tr_group *g, tr_tile *tile) {
             .mobilisation = friction_bound[i] > 0 ? fabs(tile->f_t[i]) / friction_bound[i] : 0,
             .rolling_mobilisation =
                 rolling_bound[i] > 0 ? fmax(fabs(tile->m1[i]), fabs(tile->m2[i])) / rolling_bound[i] : 0,
+            .increment = tr_increments_of(g, tile->first + i),
             .da = tr_arcs_a(g, tile->first + i),
             .db = tr_arcs_b(g, tile->first + i),
         };

@@ -3,7 +3,7 @@
 #ifndef TR_RECORD_H
 #define TR_RECORD_H
 
-#include "core/world.h"
+#include "core/increments.h"
 
 typedef struct tr_record {
     int a, b;                    /* disks; a = -1-w for wall w */
@@ -18,6 +18,7 @@ typedef struct tr_record {
     double s1, s2;               /* [m/s] */
     double mobilisation;         /* |f_t| / its bound mu f_n, 0..1; 0 without friction */
     double rolling_mobilisation; /* the larger of |m1|, |m2| / its bound; 0 without rolling resistance */
+    tr_increment increment;      /* all 0 unless the world has that sink */
     double da, db; /* arcs rolled over rims a and b since the contact formed [m]; 0 unless the world tracks arcs */
     double v_r_by[TR_MAX_VELOCITY_MEASURES]; /* rolling velocity by every definition, in the order of the registry */
     double v_s_by[TR_MAX_VELOCITY_MEASURES]; /* sliding velocity by every definition; v_s is Wang's */

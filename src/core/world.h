@@ -113,6 +113,7 @@ struct tr_group {
         *pair[TR_GROUP_PAIR]; /* R1, R2, g1; of disks in a cell the image of b along x and y; then those of the laws */
     tr_slot slot[TR_N_SLOTS];
     tr_sink ledger_sink, arcs_sink, paths_sink; /* group == NULL: not attached */
+    const tr_sink *increments_sink;             /* NULL: not attached */
     tr_pass pass[TR_MAX_PASSES];
     int n_pass;
     int old_n, *old_a, *old_b; /* the list before a refresh, while histories are carried over */

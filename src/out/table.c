@@ -117,6 +117,13 @@ void tr_row_contact(tr_row *row, double time, double strain, const tr_record *c)
     tr_row_add(row, c->db, "db_m");
 }
 
+void tr_row_increment(tr_row *row, const tr_increment *s) {
+    tr_row_add(row, s->followed, "followed");
+    tr_row_add(row, s->slide + 0.0, "u_slide_m"); /* a zero has no sign in a table */
+    tr_row_add(row, s->roll + 0.0, "u_roll_m");
+    tr_row_add(row, s->creep + 0.0, "u_creep_m");
+}
+
 void tr_row_disk(tr_row *row, double time, const tr_world *world, int i) {
     const double *pos = world->disks.pos + 4 * (size_t)i;
     double velocity[3];

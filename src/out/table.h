@@ -44,6 +44,9 @@ void tr_row_increments(tr_row *row, const tr_increments_state *state, double mea
 /* The cells of a row of contacts.csv: every touching contact is one. strain < 0: there is none (bodies). */
 void tr_row_contact(tr_row *row, double time, double strain, const tr_record *record);
 
+/* Further cells of it, with output.increments. */
+void tr_row_increment(tr_row *row, const tr_increment *increment);
+
 /* One row of disks.csv of a biaxial test. v_r: mean |V_r| over its touching contacts [m/s], of which there are `ends`. */
 void tr_row_sample(tr_row *row, double time, double strain, const tr_world *world, int i, double v_r, int ends);
 

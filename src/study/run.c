@@ -119,7 +119,7 @@ unsigned tr_outputs_due(const tr_outputs *o, int64_t k, int64_t total) {
     int lists = lists_of(want->contacts, total);
     unsigned due = tr_run_is_due(o->rows, rows_of(want->rows, total), k, total) ? TR_DUE_ROW : 0;
     if (tr_run_is_due(o->film.frames, rows_of(want->frames, total), k, total)) due |= TR_DUE_FRAME;
-    if (o->instants < lists && k == total * (o->instants + 1) / lists) due |= TR_DUE_CONTACTS;
+    if (tr_run_is_due(o->instants + 1, lists + 1, k, total)) due |= TR_DUE_CONTACTS;
     return due;
 }
 
@@ -250,7 +250,9 @@ bool tr_outputs_contacts(tr_outputs *o, int number, double time, double strain, 
     for (int i = -1; i < n; i++) { /* the first for the header */
         tr_row row = {.shape = o->scene->shape};
         if (number >= 0) tr_row_add(&row, number, "scene");
-        tr_row_contact(&row, time, strain, i < 0 ? &none : &records[i]);
+        const tr_record *record = i < 0 ? &none : &records[i];
+        tr_row_contact(&row, time, strain, record);
+        if (o->scene->output.increments) tr_row_increment(&row, &record->increment);
         if (i < 0)
             tr_row_header(&row, &o->contacts);
         else if (!tr_row_write(&row, &o->contacts, st))

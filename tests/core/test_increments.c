@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What contacts did over an interval. References: disks whose motion is prescribed, so that sliding, rolling, a and forces are closed
  * forms; Carter's and Kalker's steady state, where creep takes off all of the sliding; the virial of the cell. */
-#include "core/increments.h"
+#include "core/record.h"
 #include "core/worlds.h"
 
 enum { MOST = 8 };
@@ -54,6 +54,51 @@ static tr_increments_state read_after(scene *s, int n) {
     return state;
 }
 
+/* Of the only contact between 2 pair and 2 pair + 1, as contacts.csv lists it. */
+static tr_increment increment_of(scene *s, int pair) {
+    tr_status st = {0};
+    tr_record *records = NULL;
+    int capacity = 0, n = tr_record_all(&s->world, &records, &capacity, &st), i = 0;
+    while (i < n && records[i].a != 2 * pair) i++;
+    assert_true(i < n);
+    tr_increment increment = records[i].increment;
+    free(records);
+    return increment;
+}
+
+static void assert_listed(scene *s, int pair, double slide, double roll, bool followed) {
+    tr_increment u = increment_of(s, pair);
+    /* Sums of equal terms; arms, differences of millimetres, have ten digits of the overlap. */
+    assert_close(u.slide, slide, 1e-12, 0);
+    assert_close(u.roll, roll, 1e-12, 0);
+    assert_int_equal(u.followed, followed);
+}
+
+/* Velocity times time since the last read, or since it touched; signs are kept, and listing changes nothing. */
+static void test_each_contact_has_its_sums(void **state) {
+    (void)state;
+    scene s;
+    begin(&s, TR_SHAPE_DISK, "cattaneo-mindlin", 3, 0.4);
+    turn(&s, 0, 0.1, -0.3), turn(&s, 1, -0.2, -0.5), turn(&s, 2, 0.7, 1.1);
+    for (int k = 0; k < 4; k++) tr_step_advance(&s.world), forces(&s.world);
+    assert_listed(&s, 0, 0.1 * 4 * DT, -0.3 * 4 * DT, false); /* not yet a whole interval */
+    read_after(&s, 1);
+    assert_listed(&s, 0, 0, 0, true);
+    for (int k = 0; k < 7; k++) tr_step_advance(&s.world), forces(&s.world);
+    double *opens = s.world.disks.pos + 4 * 5;
+    opens[0] += 2 * DEPTH;
+    tr_step_advance(&s.world), forces(&s.world);
+    opens[0] -= 2 * DEPTH;
+    for (int k = 0; k < 3; k++) tr_step_advance(&s.world), forces(&s.world);
+    for (int again = 0; again < 2; again++) {
+        assert_listed(&s, 0, 0.1 * 11 * DT, -0.3 * 11 * DT, true);
+        assert_listed(&s, 1, -0.2 * 11 * DT, -0.5 * 11 * DT, true);
+        assert_listed(&s, 2, 0.7 * 3 * DT, 1.1 * 3 * DT, false);
+    }
+    assert_close(increment_of(&s, 1).creep, 0, 0, 0); /* no law that creeps */
+    tr_world_free(&s.world);
+}
+
 static double width(tr_shape shape) {
     double P = K * DEPTH, R = R1 * R2 / (R1 + R2);
     return shape == TR_SHAPE_SPHERE ? cbrt(3 * P * R / (4 * E_STAR)) : sqrt(4 * P * R / (M_PI * E_STAR));
@@ -97,7 +142,11 @@ static void steady(tr_shape shape, const char *friction, double share) {
     double roll = 0.02 * a / DT;
     turn(&s, 0, -share * F0 * roll, roll);
     read_after(&s, 20000);
-    tr_increments_state now = read_after(&s, 100);
+    for (int k = 0; k < 100; k++) tr_step_advance(&s.world), forces(&s.world);
+    double slide = -share * F0 * roll * 100 * DT;
+    assert_close(increment_of(&s, 0).slide, slide, 1e-9, 0);
+    assert_close(increment_of(&s, 0).creep, slide, 1e-9, 0);
+    tr_increments_state now = read_after(&s, 0);
     assert_close(now.roll.median, 1 / (share * F0), 1e-9, 0);
     assert_close(now.creep.median, 1, 1e-9, 0); /* what is left of the transient falls by e in a few a, of 400 */
     assert_close(now.width, a, 1e-9, 0);        /* the overlap, a difference of millimetres, has ten digits */
@@ -197,6 +246,7 @@ static void test_parts_add_up_to_the_stress(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_each_contact_has_its_sums),
         cmocka_unit_test(test_quartiles),
         cmocka_unit_test(test_creep_is_the_sliding_in_steady_rolling),
         cmocka_unit_test(test_runs_end_where_a_contact_turns_or_opens),

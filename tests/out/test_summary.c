@@ -84,6 +84,12 @@ static void test_increments(void **state) {
     tr_row_increments(&row, &s, 4);
     for (int i = 0; i < 13; i++) assert_close(cell(&row, name[i]), i, 0, 0);
     assert_close(cell(&row, "a_over_R"), 0.125, 0, 0);
+    row.n = 0;
+    tr_row_increment(&row, &(tr_increment){.slide = -1, .roll = 2, .creep = 3, .followed = true});
+    assert_close(cell(&row, "u_slide_m"), -1, 0, 0);
+    assert_close(cell(&row, "u_roll_m"), 2, 0, 0);
+    assert_close(cell(&row, "u_creep_m"), 3, 0, 0);
+    assert_close(cell(&row, "followed"), 1, 0, 0);
 }
 
 int main(void) {

@@ -137,6 +137,67 @@ static void sums_do_not_depend_on_the_rows(void **state) {
     free(one.row);
 }
 
+static int ascending(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static double median(double *x, int n) {
+    qsort(x, (size_t)n, sizeof *x, ascending);
+    return 0.5 * (x[(n - 1) / 2] + x[n / 2]);
+}
+
+/* Increments of contacts.csv, one instant a row of history.csv: slide and roll are those of paths.csv, another sink, at the same
+ * instants; the medians over those that were followed are the row's, theirs are all of its contacts. Each number has 9 digits, and a sum may
+ * be a small difference, so that single ones are held to the greatest. */
+static void increments_add_up(const char *boundary, const char *name) {
+    static const char *const of_contact[] = {"time_s", "a", "b", "u_slide_m", "u_roll_m", "u_creep_m", "followed"};
+    static const char *const of_history[] = {"time_s", "roll_over_slide_median", "creep_over_slide_median"};
+    char text[1000], file[3][60];
+    snprintf(text, sizeof text,
+             "%sboundary: %s\noutput: {frames: 0, curves: no, rows: 10, contacts: 9, path_rows: 10, "
+             "increments: yes}\n",
+             BIAXIAL(CREEP), boundary);
+    run_case(text, name);
+    static const char *const tables[] = {"paths", "contacts", "history"};
+    for (int k = 0; k < 3; k++) snprintf(file[k], sizeof file[k], "%s/%s.csv", name, tables[k]);
+    table p = read_table(file[0], columns, N_COLUMNS), c = read_table(file[1], of_contact, 7);
+    table h = read_table(file[2], of_history, 3);
+    assert_int_equal(h.n, 10);
+    double largest = 0, *roll = calloc((size_t)c.n, sizeof *roll), *creep = calloc((size_t)c.n, sizeof *creep);
+    for (int i = 0; i < c.n; i++) largest = fmax(largest, fabs(c.row[i][3]));
+    int at = 0, row = 1, n = 0, followed = 0;
+    while (p.row[at][TIME] < 0.5 * h.row[1][0]) at++; /* paths.csv has an instant at the start */
+    assert_int_equal(p.n - at, c.n);
+    for (int i = 0; i < c.n; i++) {
+        const double *u = c.row[i], *v = p.row[at + i];
+        assert_true(v[A] == u[1] && v[B] == u[2]);
+        assert_close(v[TIME], u[0], 1e-8, 0);
+        if (u[1] < 0) { /* a wall */
+            assert_true(u[3] == 0 && u[4] == 0 && u[5] == 0 && !u[6]);
+        } else {
+            assert_close(u[3], v[SLIDE], 1e-8, 1e-8 * largest);
+            assert_close(u[4], v[ROLL], 1e-8, 1e-8 * largest);
+        }
+        if (u[6]) followed++, roll[n] = fabs(u[4] / u[3]), creep[n++] = fabs(u[5] / u[3]);
+        if (i + 1 < c.n && c.row[i + 1][0] == u[0]) continue;
+        assert_close(u[0], h.row[row][0], 1e-8, 0);
+        assert_close(median(roll, n), h.row[row][1], 1e-8, 0);
+        assert_close(median(creep, n), h.row[row][2], 1e-8, 0);
+        assert_true(h.row[row++][2] > 0);
+        n = 0;
+    }
+    assert_int_equal(row, 10);
+    assert_true(followed > c.n / 2 && followed < c.n);
+    free(p.row), free(c.row), free(h.row), free(roll), free(creep);
+}
+
+static void increments_of_contacts_csv(void **state) {
+    (void)state;
+    increments_add_up("walls", "in-walls");
+    increments_add_up("periodic", "in-a-cell");
+}
+
 /* ---- the replay */
 
 static tr_run_report said;
@@ -403,6 +464,7 @@ static int close_folder(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(last_instant_is_contacts_csv),
                                        cmocka_unit_test(sums_do_not_depend_on_the_rows),
+                                       cmocka_unit_test(increments_of_contacts_csv),
                                        cmocka_unit_test(own_law_reproduces_the_run),
                                        cmocka_unit_test(closed_forms),
                                        cmocka_unit_test(errors_by_class),
