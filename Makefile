@@ -25,7 +25,7 @@ LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o)
 CLI_OBJ  := $(CLI_SRC:%=$(BUILD)/%.o)
 TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all biaxial figures wang kuhn bands replay features bench bench-peers demos gallery verify test test-slurm install asan lint format clean help packages-% build-all run-demos run-tests
+.PHONY: all biaxial figures wang kuhn kuhn-film bands replay features bench bench-peers demos gallery verify test test-slurm install asan lint format clean help packages-% build-all run-demos run-tests
 .SECONDARY:
 
 all: packages-build
@@ -54,6 +54,12 @@ DISKS ?= 1000
 kuhn: packages-build
 	@$(MAKE) --no-print-directory build-all
 	figures/kuhn/kuhn.sh ./trundle out/kuhn-$(DISKS) $(DISKS)
+
+# Two or three minutes. Runs that are there are not run again.
+kuhn-film: packages-build
+	@$(MAKE) --no-print-directory build-all
+	figures/kuhn/film.sh ./trundle out/kuhn-film
+	@echo "film: out/kuhn-film/slip-fields.mp4 (needs ffmpeg), still: slip-fields.png (needs gnuplot), numbers: classes.csv, correlations.csv"
 
 # Measures anew each time; not among the figures, for it takes a quarter of a minute and is not the same from run to run.
 features: packages-build
@@ -136,6 +142,7 @@ help:
 	@echo 'make features  build, measure what each feature and each law costs, and draw it: out/figures/features.png'
 	@echo 'make wang      build, sweep the biaxial test as Wang did, and judge each claim: out/wang/; SEEDS=3 for a minute of it'
 	@echo 'make kuhn      build, shear assemblies with small and large contacts, with and without creep, and judge what Kuhn saw: out/kuhn-1000/; DISKS=400 is quicker'
+	@echo 'make kuhn-film film and still of how contacts of those assemblies use friction, roll and creep: out/kuhn-film/; minutes'
 	@echo 'make bands     build, shear 10,000 disks without and with rolling resistance, and draw where they turn; minutes'
 	@echo 'make replay    build, take the contacts of a biaxial test through the exact half-plane and every law, and draw errors; minutes'
 	@echo 'make bench     build, measure a step of 100 to 1000000 disks, and draw it: out/figures/bench.png; minutes'

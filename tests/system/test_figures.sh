@@ -94,5 +94,42 @@ check 'bands: they have no length' is_near length 0 0.2
 check 'bands: correlation of two halves, near' is_near rolling_correlation_1 0.727 0.06
 check 'bands: and far' is_near rolling_correlation_10 0.512 0.08
 check 'bands: their length' is_near rolling_length 9.44 1.2
+
+# The film of Kuhn's assemblies. Of a small test in a cell: each contact in two halves that meet, or are a side of the cell apart, and some are.
+write_small_case "$work/small.yaml"
+run "$work/small.yaml" -o "$work/small" --set boundary=periodic --set output.rows=3 --set output.contacts=2 --set output.increments=yes \
+    --set contact.friction=dahlberg-alfredsson --set 'contact.E_star=200 MPa' --set 'contact.k_t=80 MPa'
+awk -F, -v out="$work/film" -f figures/kuhn/film.awk "$work/small/disks.csv" "$work/small/contacts.csv"
+halves_meet() {
+    sides=$(awk -F, '{for (i = 1; i <= NF; i++) if ($i ~ /^(width|height)_m$/) c[$i] = i} END {print $c["width_m"], $c["height_m"]}' "$work/small/history.csv")
+    n=$(awk -F, 'NR > 1 {t[$1]++; last = $1} END {print t[last]}' "$work/small/contacts.csv")
+    awk -v sides="$sides" -v contacts="$n" 'BEGIN {split(sides, L)}
+        !NF {contact = 1}
+        !contact {R[$1, $2] = $3; next}
+        NF {d = sqrt($3*$3 + $4*$4); if (d > R[$1, $2] || d < 0.95*R[$1, $2]) {print "not in its disk: " $0; bad = 1}}
+        NF && ++n%2 {x = $1 + $3; y = $2 + $4; fields = $5 " " $6 " " $7; next}
+        NF {
+            x = ($1 + $3 - x)/(1000*L[1]); y = ($2 + $4 - y)/(1000*L[2]); i = int(x + 2.5) - 2; j = int(y + 2.5) - 2
+            if ((x - i)^2 + (y - j)^2 > 1e-8 || i*i > 1 || j*j > 1 || fields != $5 " " $6 " " $7) {print "apart: " $0; bad = 1}
+            over += i != 0 || j != 0
+        }
+        END {print n/2 " contacts of " contacts ", " over " over an edge"; exit bad || n/2 != contacts || !(over > 3) || over > n/4}' "$work/film-002.dat"
+}
+check 'film: the halves of a contact meet, across edges too' halves_meet
+# 400 contacts that slide by s = 1 ... 400, the later half at the bound of friction, roll by s^2, backwards, and creep by 1/s; and those that
+# are left out. Ranks: +-1, but of mobilisation, two values, sqrt(3)/2; f_n goes up and down. Medians: the lower one of the two in the middle.
+mkdir -p "$work/made-up"
+awk 'BEGIN {
+    print "strain,followed,mobilisation,u_slide_m,u_roll_m,u_creep_m,f_n_N_per_m"
+    for (s = 1; s <= 400; s++) {
+        print "0.06,1," (s > 200 ? 1 : 0.3) "," s "," (-s*s) "," 1/s "," (s > 200 ? 401 - s : s)
+        print "0.04,1,0.9,7,7,7,7\n0.06,0,0.9,7,7,7,7\n0.06,1,0.9,0,7,7,7"
+    }
+}' >"$work/made-up/contacts.csv"
+awk -F, -v classes="$work/classes.csv" -f figures/kuhn/fields.awk "$work/made-up/contacts.csv" >"$work/correlations.csv"
+check 'film: rank correlations' equals "$(awk -F, 'NR > 1 {print $2, $5}' "$work/correlations.csv" | sed 's/^400 //' | xargs)" \
+    '0.87 0.87 1.00 0.87 1.00 1.00 -0.87 -1.00 0.00 0.00'
+check 'film: medians of the classes' equals "$(grep made-up "$work/classes.csv" | grep -v ,0.000, | xargs)" \
+    'made-up,0.25,0.500,100,1e+04,0.0099,100,9.8e-05 made-up,1,0.500,300,9e+04,0.00332,300,1.1e-05'
 check 'fig. 2: slip at the bound' sh -c 'awk -F, "NR > 1 && !\$6 && (\$3 - \$4)^2 > 1e-18 {print; bad = 1} END {exit bad}" "$1"' sh "$work/kuhn-fig2.csv"
 finish
