@@ -83,7 +83,7 @@ typedef struct tr_scene_output {
     int color;            /* tr_color: field that colours frames */
     int path_rows;        /* instants of paths.csv, which lists all contacts; 0: none */
     bool energy;          /* keep the energy ledger */
-    bool increments;      /* what the contacts did between two rows, as columns of history.csv */
+    bool increments;      /* what the contacts did between two rows, as columns of history.csv and contacts.csv */
     bool curves;          /* draw history.csv or contact.csv with gnuplot; not bodies */
     tr_scene_picks paths; /* contacts whose path is written to paths/NAME.csv */
     int curve;            /* bodies: tr_curve drawn beside the motion */

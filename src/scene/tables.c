@@ -175,7 +175,7 @@ static const tr_param output_biaxial[] = {
      "instants at which paths.csv has the path of all contacts, for trundle replay; 0: no such file"},
     {"increments", TR_SWITCH, TR_DIM_NUMBER, "", "no", 0, 0, NULL, AT(increments),
      "history.csv tells what contacts did since the row before: rolling and creep over sliding, runs, a, share of "
-     "friction"},
+     "friction; contacts.csv, sliding, rolling and creep of each"},
 };
 static const tr_param output_curves[] = {
     {"curves", TR_SWITCH, TR_DIM_NUMBER, "", "yes", 0, 0, NULL, AT(curves), "draw the curves with gnuplot"},
