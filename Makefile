@@ -11,12 +11,12 @@ PREFIX ?= /usr/local
 DESTDIR ?=
 
 PKGS  := yaml-0.1 muparser jansson box2d cairo libpng
-FLAGS := -Isrc -Itests -Wall -Wextra -Wpedantic -ffp-contract=off $(OPENMP) -MMD -MP $(shell pkg-config --cflags $(PKGS) 2>/dev/null)
+FLAGS := -Isrc -Itests -Wall -Wextra -Wpedantic -ffp-contract=off -pthread $(OPENMP) -MMD -MP $(shell pkg-config --cflags $(PKGS) 2>/dev/null)
 # -fno-math-errno -fno-trapping-math let square roots and comparisons become vector code; they change no value.
 C_FLAGS   := -std=c17 -D_GNU_SOURCE -fno-math-errno -fno-trapping-math $(FLAGS) $(CFLAGS)
 CXX_FLAGS := -std=c++17 $(FLAGS) $(CFLAGS)
 # libcsv has no pkg-config file.
-LIBS  := $(shell pkg-config --libs $(PKGS) 2>/dev/null) -lcsv -lm
+LIBS  := $(shell pkg-config --libs $(PKGS) 2>/dev/null) -lcsv -lm -pthread
 
 LIB_SRC  := $(filter-out src/cli/%,$(wildcard src/*/*.c)) $(wildcard src/*/*.cpp)
 CLI_SRC  := $(wildcard src/cli/*.c)

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Threads, by OpenMP. A program without it, or that asks for one thread, runs the same loops in order. */
+/* Threads of the solver, by OpenMP. A program without it, or that asks for one thread, runs the same loops in order. */
 #ifndef TR_THREADS_H
 #define TR_THREADS_H
+
+#include <sched.h>
 
 #ifdef _OPENMP
 #include <omp.h>
@@ -11,6 +13,12 @@
 #endif
 
 enum { TR_MOST_THREADS = 1024 };
+
+/* That this process may use. */
+static inline int tr_processors(void) {
+    cpu_set_t set;
+    return sched_getaffinity(0, sizeof set, &set) ? 1 : CPU_COUNT(&set);
+}
 
 static inline int tr_threads(void) {
 #ifdef _OPENMP

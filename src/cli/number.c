@@ -2,7 +2,6 @@
 #include "cli/cli.h"
 
 #include <argp.h>
-#include <sched.h>
 #include <stdlib.h>
 
 int tr_cli_whole(const char *text, int low, int high, const char *what, struct argp_state *state) {
@@ -11,9 +10,4 @@ int tr_cli_whole(const char *text, int low, int high, const char *what, struct a
     if (end == text || *end || value < low || value > high)
         argp_error(state, "%s must be a whole number, %d to %d, not `%.40s`", what, low, high, text);
     return (int)value;
-}
-
-int tr_cli_processors(void) {
-    cpu_set_t set;
-    return sched_getaffinity(0, sizeof set, &set) ? 1 : CPU_COUNT(&set);
 }

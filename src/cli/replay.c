@@ -2,6 +2,7 @@
 /* trundle replay */
 #include "cli/cli.h"
 
+#include "base/threads.h"
 #include "study/replay.h"
 #include <argp.h>
 #include <stdio.h>
@@ -41,7 +42,7 @@ int tr_cli_replay(int argc, char **argv) {
     static tr_run_report report;
     tr_progress progress = tr_progress_begin();
     tr_replay_options o = {
-        .jobs = tr_cli_processors(), .elements = 60, .every = 1, .progress = tr_progress_show, .context = &progress};
+        .jobs = tr_processors(), .elements = 60, .every = 1, .progress = tr_progress_show, .context = &progress};
     argp_err_exit_status = TR_BAD_CASE;
     const struct argp argp = {
         options,

@@ -2,6 +2,7 @@
 /* trundle sweep */
 #include "cli/cli.h"
 
+#include "base/threads.h"
 #include "study/sweep.h"
 #include <argp.h>
 #include <stdio.h>
@@ -97,7 +98,7 @@ static bool collect(const tr_grid *g, const arguments *a, tr_status *st) {
 static bool run(const tr_grid *g, arguments *a, tr_status *st) {
     bool all = a->index < 0;
     tr_grid_options o = {.dir = a->dir,
-                         .jobs = a->jobs ? a->jobs : tr_cli_processors(),
+                         .jobs = a->jobs ? a->jobs : tr_processors(),
                          .first = all ? 0 : a->index,
                          .end = all ? g->n : a->index + 1,
                          .stop = tr_cli_stop(),

@@ -44,14 +44,23 @@ typedef struct tr_canvas tr_canvas;
 
 /* NULL and TR_FILE when memory is short. Free with tr_canvas_free (NULL is allowed). */
 tr_canvas *tr_canvas_create(tr_status *st);
+
+/* A canvas without pixels, which only keeps the strokes: a twentieth of the time of drawing. To replay gives the pixels that drawing
+ * would have given, later and by any thread: what the view pointed to may be gone. */
+tr_canvas *tr_canvas_record(tr_status *st);
+bool tr_canvas_replay(tr_canvas *canvas, const tr_canvas *strokes, tr_status *st);
 void tr_canvas_free(tr_canvas *canvas);
 
 /* The pixels, row by row from the top, 4 bytes each: blue, green, red, unused. */
 const unsigned char *tr_canvas_pixels(const tr_canvas *canvas);
 
-/* Writes path.part, then renames it to path. On failure TR_FILE: path is as it was, no part is left. */
-bool tr_canvas_load(tr_canvas *canvas, const char *path, tr_status *st); /* shows what tr_canvas_png has written */
-bool tr_canvas_png(const tr_canvas *canvas, const char *path, tr_status *st);
+/* Two halves, the work and the file: the PNG of what the canvas shows goes to its memory, then to path.part, which is renamed to
+ * path. On failure TR_FILE: path is as it was, no part is left. */
+bool tr_canvas_encode(tr_canvas *canvas, tr_status *st);
+bool tr_canvas_write(const tr_canvas *canvas, const char *path, tr_status *st);
+
+bool tr_canvas_png(tr_canvas *canvas, const char *path, tr_status *st);  /* both */
+bool tr_canvas_load(tr_canvas *canvas, const char *path, tr_status *st); /* shows what was written */
 
 /* Biaxial test: world->wall is bottom, top, left, right, or there is a periodic cell. A wall or side with mass is drawn as loaded, one without as driven. */
 void tr_draw_biaxial(tr_canvas *canvas, const tr_view *view);

@@ -6,10 +6,13 @@
 #include "draw/palette.h"
 #include <cairo.h>
 #include <stdbool.h>
+#include <stddef.h>
 
 struct tr_canvas {
     cairo_surface_t *surface;
     cairo_t *cr;
+    char *png; /* of what tr_canvas_encode saw */
+    size_t png_size;
 };
 
 typedef enum tr_align { TR_LEFT, TR_CENTRE, TR_RIGHT } tr_align;

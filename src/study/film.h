@@ -1,6 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /* The pictures of a run: frames/NNNNN.png, and where ffmpeg is there a film of them, NAME.mp4, and NAME.gif
- * for slides. */
+ * for slides.
+ *
+ * They are drawn beside the solver:
+ *
+ *     the run     draws on film.canvas, which only keeps the strokes      -> a queue of a few frames
+ *     a crew      one thread a processor, each with a canvas of its own: takes a frame, draws and encodes it,
+ *                 waits for its turn, then writes the file and gives ffmpeg the pixels
+ *
+ * Files are there in the order of the frames, and after the first that fails there are no more; that failure meets the run at
+ * its next frame, at a checkpoint or at the end. The strokes are a copy: no frame sees what the solver does next, and the
+ * solver sees nothing of the frames, but that it waits where the queue is full. Pixels do not depend on the number of threads.
+ * Rejected: copies of worlds (each kind of picture would need its own), a process for each frame (an order to keep, too). */
 #ifndef TR_STUDY_FILM_H
 #define TR_STUDY_FILM_H
 
@@ -10,20 +21,21 @@
 
 typedef struct tr_film {
     const char *dir, *name;
-    tr_canvas *canvas; /* to draw a frame on; NULL: no frames asked, Cairo untouched */
+    tr_canvas *canvas; /* to draw the next frame on; NULL: no frames asked, Cairo untouched */
     tr_video *video;   /* NULL: no ffmpeg */
     int rate;          /* frames a second */
-    int frames;        /* written so far */
+    int frames;        /* so far; once it is closed, those that were written */
     int synced;        /* of them, those that are on the disk for sure */
+    struct tr_film_crew *crew;
 } tr_film;
 
 /* How long a film of that many frames is [s]. */
 double tr_film_seconds(int frames);
 
-/* For that many frames; none: nothing happens. name: of the film, "biaxial.mp4". */
+/* For that many frames; none: nothing happens. name: of the film, "biaxial.mp4". The film must not move until it is closed. */
 bool tr_film_open(tr_film *film, const char *dir, const char *name, int frames, tr_run_report *report, tr_status *st);
 
-/* Keeps what the canvas shows as the next frame. */
+/* Keeps what was drawn on the canvas as the next frame. False: an earlier one has failed. */
 bool tr_film_frame(tr_film *film, tr_status *st);
 
 /* How many there are; they go to the disk, and to load, once more to the film. */

@@ -57,8 +57,12 @@ static bool open_plays(show *s, tr_status *st) {
 static bool keep_still(show *s, tr_status *st) {
     char path[TR_PATH];
     s->has_still = true;
-    tr_picture_draw(s->out.film.canvas, &s->cast, &s->view, s->result, s->n_results);
-    return tr_dir_path(path, s->options->dir, "still.png", st) && tr_canvas_png(s->out.film.canvas, path, st);
+    tr_canvas *canvas = tr_dir_path(path, s->options->dir, "still.png", st) ? tr_canvas_create(st) : NULL;
+    if (!canvas) return false;
+    tr_picture_draw(canvas, &s->cast, &s->view, s->result, s->n_results);
+    bool ok = tr_canvas_png(canvas, path, st);
+    tr_canvas_free(canvas);
+    return ok;
 }
 
 /* ---- the run ---- */
