@@ -47,7 +47,7 @@ static int set_up(void **state) {
     snprintf(f->path, sizeof f->path, "%.500s", getenv("PATH"));
     sched_getaffinity(0, sizeof f->processors, &f->processors);
     f->packing = hand_packing(60), f->pair = hand_pair(10e-3, 5e-3, 1.2, -2.4, 0.5, -1);
-    alarm(60); /* a film that hangs */
+    alarm(300); /* a film that hangs */
     return mkdtemp(f->dir) ? 0 : -1;
 }
 
