@@ -11,6 +11,7 @@
  * r + r_max + skin of an edge (r + skin would miss pairs at the corners, and large partners).
  */
 extern "C" {
+#include "base/threads.h"
 #include "broad/broad_internal.h"
 }
 #include <algorithm>
@@ -21,10 +22,16 @@ extern "C" {
 
 namespace {
 
+/* The queries of one thread, and what it found. */
+struct Share {
+    std::vector<int> near; /* partners of the disk that is being queried */
+    std::vector<int> a, b;
+};
+
 struct Box2d {
     b2DynamicTree tree;
     std::vector<int32> proxy; /* of disk i */
-    std::vector<int> near;    /* partners of the disk that is being queried */
+    std::vector<Share> shares;
     double scale, x0, y0;
 
     float down(double v) const { return std::nextafter(static_cast<float>(v), -INFINITY); }
@@ -41,12 +48,13 @@ struct Box2d {
 
 /* What b2DynamicTree::Query calls. Only partners with a larger number: each pair once. */
 struct Collect {
-    Box2d *self;
+    const Box2d *self;
     const tr_broad_input *input;
+    std::vector<int> *near;
     int a;
     bool QueryCallback(int32 proxy) {
         int b = static_cast<int>(reinterpret_cast<uintptr_t>(self->tree.GetUserData(proxy)));
-        if (b > a && tr_broad_near(input, a, b)) self->near.push_back(b);
+        if (b > a && tr_broad_near(input, a, b)) near->push_back(b);
         return true;
     }
 };
@@ -70,33 +78,61 @@ void *create(const tr_broad_input *input, tr_status *st) {
     }
 }
 
-bool find(void *finder, const tr_broad_input *input, tr_pairs *pairs, tr_status *st) {
-    if (!tr_broad_check(input, st)) return false;
-    auto *self = static_cast<Box2d *>(finder);
-    pairs->n = 0;
+/* Disks low to high - 1; false: out of memory, which must not leave a thread as an exception. */
+bool query(const Box2d &self, const tr_broad_input *input, const b2AABB &all, int low, int high, Share &share) {
     try {
-        for (int i = 0; i < input->n; i++)
-            self->tree.MoveProxy(self->proxy[static_cast<size_t>(i)],
-                                 self->box(input->pos + 4 * static_cast<size_t>(i), 0), b2Vec2(0, 0));
-        b2AABB all = input->n ? self->box(input->pos, 0) : b2AABB{};
-        for (int i = 0; i < input->n; i++) all.Combine(self->tree.GetFatAABB(self->proxy[static_cast<size_t>(i)]));
-        for (int a = 0; a < input->n; a++) {
-            self->near.clear();
-            Collect collect{self, input, a};
+        share.a.clear(), share.b.clear();
+        for (int a = low; a < high; a++) {
+            share.near.clear();
+            Collect collect{&self, input, &share.near, a};
             const double *p = input->pos + 4 * static_cast<size_t>(a);
-            self->tree.Query(&collect, self->box(p, input->skin));
+            self.tree.Query(&collect, self.box(p, input->skin));
             for (int image = 0; image < 9 && input->cell; image++) {
                 if (image == 4) continue; /* itself */
                 b2AABB box =
-                    self->box(p, input->skin, (image % 3 - 1) * input->cell[0], (image / 3 - 1) * input->cell[1]);
-                if (b2TestOverlap(box, all)) self->tree.Query(&collect, box);
+                    self.box(p, input->skin, (image % 3 - 1) * input->cell[0], (image / 3 - 1) * input->cell[1]);
+                if (b2TestOverlap(box, all)) self.tree.Query(&collect, box);
             }
-            std::sort(self->near.begin(), self->near.end());
-            for (int b : self->near)
-                if (!tr_pairs_add(pairs, a, b, st)) return false;
+            std::sort(share.near.begin(), share.near.end());
+            share.a.insert(share.a.end(), share.near.size(), a);
+            share.b.insert(share.b.end(), share.near.begin(), share.near.end());
         }
+        return true;
     } catch (const std::bad_alloc &) {
-        return tr_status_fail(st, TR_FILE, "error: out of memory (pair finding, %d disks)", input->n);
+        return false;
+    }
+}
+
+bool find(void *finder, const tr_broad_input *input, tr_pairs *pairs, tr_status *st) {
+    if (!tr_broad_check(input, st)) return false;
+    auto *self = static_cast<Box2d *>(finder);
+    int n = input->threads, failed = 0;
+    size_t found = 0;
+    pairs->n = 0;
+    try {
+        self->shares.resize(static_cast<size_t>(n));
+        for (int i = 0; i < input->n; i++)
+            self->tree.MoveProxy(self->proxy[static_cast<size_t>(i)],
+                                 self->box(input->pos + 4 * static_cast<size_t>(i), 0), b2Vec2(0, 0));
+    } catch (const std::bad_alloc &) {
+        failed = 1;
+    }
+    b2AABB all = input->n ? self->box(input->pos, 0) : b2AABB{};
+    for (int i = 0; i < input->n && !failed; i++)
+        all.Combine(self->tree.GetFatAABB(self->proxy[static_cast<size_t>(i)]));
+    TR_OMP(omp parallel for schedule(static, 1) reduction(+ : failed) if (n > 1))
+    for (int k = 0; k < (failed ? 0 : n); k++) {
+        int low = static_cast<int>(static_cast<int64_t>(input->n) * k / n);
+        int high = static_cast<int>(static_cast<int64_t>(input->n) * (k + 1) / n);
+        failed += !query(*self, input, all, low, high, self->shares[static_cast<size_t>(k)]);
+    }
+    if (failed) return tr_status_fail(st, TR_FILE, "error: out of memory (pair finding, %d disks)", input->n);
+    for (const Share &s : self->shares) found += s.a.size();
+    if (!tr_pairs_reserve(pairs, found, st)) return false;
+    for (const Share &s : self->shares) {
+        std::copy(s.a.begin(), s.a.end(), pairs->a + pairs->n);
+        std::copy(s.b.begin(), s.b.end(), pairs->b + pairs->n);
+        pairs->n += static_cast<int>(s.a.size());
     }
     return true;
 }

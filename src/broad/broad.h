@@ -10,6 +10,7 @@
 
 #include "base/status.h"
 #include <math.h>
+#include <stddef.h>
 
 typedef struct tr_pairs {
     int n, capacity;
@@ -22,6 +23,7 @@ typedef struct tr_broad_input {
     const double *pos;
     double skin;        /* pairs with gap |X21| - R1 - R2 < skin are wanted, no others are given [m] */
     const double *cell; /* two sides of the periodic cell [m]; NULL: there is none */
+    int threads;        /* that share the work */
 } tr_broad_input;
 
 typedef struct tr_broad_finder {
@@ -43,6 +45,9 @@ const tr_broad_finder *tr_broad_choose(int n);
 
 /* Appends a pair; grows the arrays. */
 bool tr_pairs_add(tr_pairs *pairs, int a, int b, tr_status *st);
+
+/* Room for n pairs in all; TR_FILE when memory is short. */
+bool tr_pairs_reserve(tr_pairs *pairs, size_t n, tr_status *st);
 void tr_pairs_free(tr_pairs *pairs);
 
 #endif

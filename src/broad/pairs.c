@@ -3,16 +3,22 @@
 #include "broad/broad_internal.h"
 
 #include "base/alloc.h"
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 
+bool tr_pairs_reserve(tr_pairs *pairs, size_t n, tr_status *st) {
+    size_t now = (size_t)pairs->n, grown = n + n / 2 + 64;
+    if (n <= (size_t)pairs->capacity) return true;
+    if (grown > INT_MAX) return tr_status_fail(st, TR_FILE, "error: too many pairs of disks (%zu)", n);
+    if (!tr_alloc_grow(&pairs->a, now, grown, sizeof *pairs->a, st)) return false;
+    if (!tr_alloc_grow(&pairs->b, now, grown, sizeof *pairs->b, st)) return false;
+    pairs->capacity = (int)grown;
+    return true;
+}
+
 bool tr_pairs_add(tr_pairs *pairs, int a, int b, tr_status *st) {
-    if (pairs->n == pairs->capacity) {
-        int grown = pairs->capacity ? pairs->capacity + pairs->capacity / 2 : 64;
-        if (!tr_alloc_grow(&pairs->a, (size_t)pairs->n, (size_t)grown, sizeof *pairs->a, st)) return false;
-        if (!tr_alloc_grow(&pairs->b, (size_t)pairs->n, (size_t)grown, sizeof *pairs->b, st)) return false;
-        pairs->capacity = grown;
-    }
+    if (!tr_pairs_reserve(pairs, (size_t)pairs->n + 1, st)) return false;
     pairs->a[pairs->n] = a;
     pairs->b[pairs->n++] = b;
     return true;

@@ -6,6 +6,7 @@
 #include "core/contacts.h"
 
 #include "base/alloc.h"
+#include "base/threads.h"
 #include "core/cell.h"
 #include "core/timestep.h"
 #include <math.h>
@@ -45,9 +46,21 @@ static void group_begin(tr_group *g) {
     g->n = 0;
 }
 
-/* Appends contact (a, b), in a cell with that image of b; *old walks the old list, which is sorted like the new one. */
-static void group_append(tr_world *world, tr_group *g, int a, int b, const double *image, int *old) {
-    int i = g->n++;
+/* Number of the first contact of the old list that is not before (a, b). */
+static int old_from(const tr_group *g, int a, int b) {
+    int low = 0, high = g->old_n;
+    while (low < high) {
+        int mid = low + (high - low) / 2;
+        if (g->old_a[mid] < a || (g->old_a[mid] == a && g->old_b[mid] < b))
+            low = mid + 1;
+        else
+            high = mid;
+    }
+    return low;
+}
+
+/* Contact i is (a, b), in a cell with that image of b; *old walks the old list, which is sorted like the new one. */
+static void group_put(const tr_world *world, tr_group *g, int i, int a, int b, const double *image, int *old) {
     g->a[i] = a, g->b[i] = b;
     tr_pair_bodies bodies = tr_world_pair(world, g, a, b);
     g->pair[0][i] = bodies.R1, g->pair[1][i] = bodies.R2;
@@ -69,7 +82,8 @@ static void count_listed(const tr_world *world, int *z) {
 static void group_constants(const tr_world *world, tr_group *g, const int *z) {
     for (int s = 0; s < TR_N_SLOTS; s++) {
         const tr_slot *slot = &g->slot[s];
-        for (int i = 0; i < g->n && slot->law->n_pair; i++) {
+        TR_OMP(omp parallel for schedule(static) if (tr_world_threads(world) > 1))
+        for (int i = 0; i < (slot->law->n_pair ? g->n : 0); i++) {
             double constants[TR_MAX_PAIR];
             tr_pair_bodies bodies = tr_world_pair(world, g, g->a[i], g->b[i]);
             bodies.z1 = g->walls ? 1 : z[g->a[i]], bodies.z2 = z[g->b[i]];
@@ -95,7 +109,7 @@ static double largest_move(const tr_disks *d, const double *ref) {
 
 static bool search(tr_world *world, tr_status *st) {
     const double *cell = world->cell.side[0] > 0 ? world->cell.side : NULL;
-    tr_broad_input input = {world->disks.n, world->disks.pos, world->wide_skin, cell};
+    tr_broad_input input = {world->disks.n, world->disks.pos, world->wide_skin, cell, tr_world_threads(world)};
     world->cell.moved[1] = 0;
     copy_centres(&world->disks, world->wide_ref);
     world->searches++;
@@ -132,23 +146,65 @@ static bool refresh_walls(tr_world *world, tr_status *st) {
             if (delta <= -world->thin_skin) continue;
             if (!check_overlap(world, true, w, i, delta, pos[3], st) || !tr_contacts_reserve(g, g->n + 1, st))
                 return false;
-            group_append(world, g, w, i, NULL, &old);
+            group_put(world, g, g->n++, w, i, NULL, &old);
         }
     return true;
 }
 
+/* A thread's share of `near`. */
+typedef struct share {
+    int low, high;
+    int first, n; /* its contacts in the list */
+    int crushed;  /* the first pair with too large an overlap; -1: none */
+} share;
+
+/* The overlap of pair i of `near`; image: as tr_cell_distance. */
+static double near_overlap(const tr_world *world, int i, double *image) {
+    const double *p = world->disks.pos + 4 * (size_t)world->near.a[i];
+    const double *q = world->disks.pos + 4 * (size_t)world->near.b[i];
+    return p[3] + q[3] - tr_cell_distance(&world->cell, p, q, image);
+}
+
+static void count_share(const tr_world *world, share *s) {
+    for (int i = s->low; i < s->high; i++) s->n += near_overlap(world, i, NULL) > -world->thin_skin;
+}
+
+static void list_share(const tr_world *world, tr_group *g, share *s) {
+    int to = s->first, old = s->low < s->high ? old_from(g, world->near.a[s->low], world->near.b[s->low]) : 0;
+    s->crushed = -1;
+    for (int i = s->low; i < s->high; i++) {
+        double image[2], delta = near_overlap(world, i, image);
+        if (delta <= -world->thin_skin) continue;
+        int a = world->near.a[i], b = world->near.b[i];
+        group_put(world, g, to, a, b, image, &old);
+        double R = g->pair[0][to] < g->pair[1][to] ? g->pair[0][to] : g->pair[1][to];
+        if (delta > TR_LARGEST_OVERLAP * R && s->crushed < 0) s->crushed = i;
+        to++;
+    }
+    s->n = to - s->first;
+}
+
+/* Each thread lists a share of the pairs, behind the shares before it: they are counted first, where there is more than one. */
 static bool refresh_disks(tr_world *world, tr_status *st) {
     tr_group *g = &world->group[0];
+    share all[TR_MOST_THREADS] = {{0}};
+    int n = tr_world_threads(world), crushed = -1;
     if (!tr_contacts_reserve(g, world->near.n, st)) return false;
-    int old = 0;
     group_begin(g);
-    for (int i = 0; i < world->near.n; i++) {
-        int a = world->near.a[i], b = world->near.b[i];
+    for (int k = 0; k < n; k++) {
+        all[k].low = (int)((int64_t)world->near.n * k / n), all[k].high = (int)((int64_t)world->near.n * (k + 1) / n);
+    }
+    TR_OMP(omp parallel for schedule(static, 1) if (n > 1))
+    for (int k = 0; k < n - 1; k++) count_share(world, &all[k]);
+    for (int k = 1; k < n; k++) all[k].first = all[k - 1].first + all[k - 1].n;
+    TR_OMP(omp parallel for schedule(static, 1) if (n > 1))
+    for (int k = 0; k < n; k++) list_share(world, g, &all[k]);
+    g->n = all[n - 1].first + all[n - 1].n;
+    for (int k = 0; k < n && crushed < 0; k++) crushed = all[k].crushed;
+    if (crushed >= 0) {
+        int a = world->near.a[crushed], b = world->near.b[crushed];
         const double *p = world->disks.pos + 4 * (size_t)a, *q = world->disks.pos + 4 * (size_t)b;
-        double image[2], delta = p[3] + q[3] - tr_cell_distance(&world->cell, p, q, image);
-        if (delta <= -world->thin_skin) continue;
-        if (!check_overlap(world, false, a, b, delta, p[3] < q[3] ? p[3] : q[3], st)) return false;
-        group_append(world, g, a, b, image, &old);
+        return check_overlap(world, false, a, b, near_overlap(world, crushed, NULL), p[3] < q[3] ? p[3] : q[3], st);
     }
     for (int k = 0; k < BEHIND && g->capacity; k++) g->a[g->n + k] = g->b[g->n + k] = 0;
     return true;

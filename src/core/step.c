@@ -215,18 +215,12 @@ static bool disk_forces(tr_world *world, double dt, tr_status *st) {
     return true;
 }
 
-enum { MANY = 4000 }; /* disks: below, threads wait longer for each other than they work */
-
-static bool use_threads(const tr_world *world) {
-    return world->disks.n > MANY && tr_threads() > 1;
-}
-
 bool tr_step_forces(tr_world *world, tr_status *st) {
     if (world->stale && !tr_contacts_refresh(world, st)) return false;
     for (int w = 0; w < world->n_walls; w++) world->wall[w].fx = world->wall[w].fy = 0;
     world->cell.virial[0] = world->cell.virial[1] = 0;
     double dt = world->fresh ? 0 : world->dt;
-    if (use_threads(world) && !world->group[0].in_order) {
+    if (tr_world_threads(world) > 1 && !world->group[0].in_order) {
         if (!disk_forces(world, dt, st)) return false;
     } else {
         begin_forces(&world->disks, 0, world->disks.n);
@@ -279,7 +273,7 @@ static int advance_disks(tr_world *world, double reach) {
     enum { BLOCK = 256 };
     const tr_disks *d = &world->disks;
     int moved = 0;
-    TR_OMP(omp parallel for schedule(static) reduction(+ : moved) if (use_threads(world)))
+    TR_OMP(omp parallel for schedule(static) reduction(+ : moved) if (tr_world_threads(world) > 1))
     for (int first = 0; first < d->n; first += BLOCK) {
         int n = d->n - first < BLOCK ? d->n - first : BLOCK;
         size_t at = 4 * (size_t)first;

@@ -2,6 +2,7 @@
 #include "core/world.h"
 
 #include "base/alloc.h"
+#include "base/threads.h"
 #include "core/arcs.h"
 #include "core/contacts.h"
 #include "core/ledger.h"
@@ -130,7 +131,7 @@ bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool sm
     }
     if (world->finder) world->broad->destroy(world->finder);
     world->finder =
-        world->broad->create(&(tr_broad_input){world->disks.n, world->disks.pos, world->wide_skin, NULL}, st);
+        world->broad->create(&(tr_broad_input){world->disks.n, world->disks.pos, world->wide_skin, NULL, 1}, st);
     return world->finder != NULL;
 }
 
@@ -157,6 +158,12 @@ tr_law_data tr_group_data(const tr_group *group, const tr_slot *slot) {
                          .normal = normal->law,
                          .normal_par = normal->par,
                          .shape = group->shape};
+}
+
+int tr_world_threads(const tr_world *world) {
+    enum { MANY = 4000 };
+    int threads = tr_threads();
+    return world->disks.n <= MANY ? 1 : threads < TR_MOST_THREADS ? threads : TR_MOST_THREADS;
 }
 
 size_t tr_world_bytes(const tr_world *world) {

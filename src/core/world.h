@@ -193,6 +193,10 @@ tr_pair_bodies tr_world_pair(const tr_world *world, const tr_group *group, int a
 /* What the law of a slot sees. */
 tr_law_data tr_group_data(const tr_group *group, const tr_slot *slot);
 
+/* Threads that share the work of its steps: below some thousand disks one, they would wait longer for each other than they
+ * work. */
+int tr_world_threads(const tr_world *world);
+
 /* Bytes that the world holds, less those of the pair finder's own; how many history arrays there are, of both groups. */
 size_t tr_world_bytes(const tr_world *world);
 int tr_world_histories(const tr_world *world);

@@ -6,6 +6,7 @@
 #include "core/increments.h"
 #include "core/paths.h"
 #include "core/worlds.h"
+#include <string.h>
 
 /* 4900 disks of a lattice that overlap by up to 2.5 % or not at all, numbered by rows: each share of the disks has contacts with
  * the next one, and in a cell the first with the last. In 60 steps the fastest disks move 0.2 mm, four times half the thin skin: lists
@@ -106,8 +107,32 @@ static void threads_change_no_bit(void **state) {
     }
 }
 
+/* Two pairs are crushed: the first of the list is named, whoever lists it. */
+static void first_failure_is_named(void **state) {
+    (void)state;
+    char said[3][sizeof(tr_status)];
+    for (int threads = 1; threads <= 3; threads++) {
+        tr_world world;
+        tr_status st = {0};
+        move(&world, false, 1, 1);
+        for (int k = 1; k < 3; k++) {
+            double *p = world.disks.pos + 4 * (size_t)(k * 2000);
+            p[0] = p[4], p[1] = p[5] + 0.1e-3;
+        }
+        world.stale = true;
+        tr_threads_set(threads);
+        assert_false(tr_step_forces(&world, &st));
+        tr_threads_set(1);
+        snprintf(said[threads - 1], sizeof *said, "%s", st.text);
+        tr_world_free(&world);
+    }
+    assert_non_null(strstr(said[0], "2000"));
+    assert_string_equal(said[0], said[1]);
+    assert_string_equal(said[0], said[2]);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(threads_change_no_bit),
-                                       cmocka_unit_test(threads_change_no_sum)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(threads_change_no_bit), cmocka_unit_test(threads_change_no_sum),
+                                       cmocka_unit_test(first_failure_is_named)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
