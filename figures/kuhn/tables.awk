@@ -26,7 +26,7 @@ FNR == 2 {
     }
     stress = column["stress_1_Pa"] ? column["stress_1_Pa"] : column["stress_1_N_per_m"]
     if (b > 0) { held = ($stress + $(stress + 1))/2; s1[run] += held; s2[run] += held*held; sn[run]++ }
-    if (b > blocks[run] + 0 && strain >= 0.05*(b + 1) - 0.002) blocks[run] = b
+    if (b > blocks[run] + 0 && strain >= 0.05*(b + 1) - 0.0051) blocks[run] = b
 }
 function block(run, name, b) { return sum[run, name, b]/count[run, b] }
 function of(run, name) { return at_23[run] ? mean_23[run, name]/at_23[run] : "" }
