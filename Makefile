@@ -71,10 +71,10 @@ bands: packages-build
 	@$(MAKE) --no-print-directory build-all
 	@$(MAKE) --no-print-directory out/figures/shear-bands.png
 
-# Minutes.
+# Many minutes. Goes on with what is there.
 replay: packages-build
 	@$(MAKE) --no-print-directory build-all
-	@$(MAKE) --no-print-directory out/figures/replay.png
+	figures/replay/replay.sh ./trundle out/replay
 
 # Minutes. Measures anew each time, too.
 bench: packages-build
@@ -212,14 +212,6 @@ out/bands/mu_r-%/summary.json: cases/shear-bands.yaml $(TRUNDLE)
 out/figures/shear-bands.png: $(wildcard figures/bands/*) out/bands/mu_r-0/summary.json out/bands/mu_r-0.5/summary.json
 	@mkdir -p $(@D)
 	figures/bands/shear-bands.sh out/bands $@
-
-out/biaxial-replay/summary.json: cases/biaxial-replay.yaml $(TRUNDLE)
-	./$(TRUNDLE) run $< -o $(@D) --force
-out/figures/replay.png: figures/replay/replay.gp out/biaxial-replay/summary.json
-	@mkdir -p $(@D)
-	./$(TRUNDLE) replay out/biaxial-replay
-	gnuplot -d -e 'dir = "out/biaxial-replay"; set output "$@"' \
-	    -e 'set terminal pngcairo size 1500,1200 font "DejaVu Sans,18" enhanced rounded' $<
 
 # A demonstration is a case; its mark, NAME.done, says that it ran without an error. DEMO_FLAGS: for trundle run.
 OUT   := out

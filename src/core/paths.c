@@ -15,7 +15,12 @@ static int lane_of(const tr_group *g, const tr_tile *tile, int a, int b) {
 }
 
 /* Histories of all. LIFE: 0 is open; below 0: not read yet. */
-enum { LIFE, SLIDE, ROLL, FORCE, FRICTION, X, Y, N_HIST };
+enum { LIFE, SLIDE, ROLL, FORCE, FRICTION, WHOLE, X, Y, N_HIST };
+
+static double P_of(const tr_group *g, const tr_tile *tile, int i) {
+    bool elastic = g->slot[TR_FRICTION].law->needs & TR_ELASTIC_P && tile->f_n[i] > 0;
+    return elastic ? tile->f_elastic[i] : tile->f_n[i];
+}
 
 static void step_all(tr_tile *tile, const tr_sink *sink) {
     double *h[N_HIST];
@@ -30,7 +35,8 @@ static void step_all(tr_tile *tile, const tr_sink *sink) {
         if (h[LIFE][i] == 0) h[LIFE][i] = -(double)++sink->paths->lives;
         h[SLIDE][i] += tile->v_s[i] * tile->dt;
         h[ROLL][i] -= 0.5 * (tile->s1[i] + tile->s2[i]) * tile->dt;
-        h[FORCE][i] = tile->f_n[i], h[FRICTION][i] = rubs ? tile->f_t[i] : 0;
+        h[FORCE][i] = P_of(sink->group, tile, i), h[WHOLE][i] = tile->f_n[i];
+        h[FRICTION][i] = rubs ? tile->f_t[i] : 0;
         h[X][i] = length * tile->nx[i], h[Y][i] = length * tile->ny[i];
     }
 }
@@ -48,6 +54,7 @@ bool tr_paths_life(tr_group *g, int i, tr_path_life *life) {
                            .roll = h[ROLL][i],
                            .P = h[FORCE][i],
                            .Q = h[FRICTION][i],
+                           .f_n = h[WHOLE][i],
                            .x = h[X][i],
                            .y = h[Y][i]};
     h[SLIDE][i] = h[ROLL][i] = 0;
@@ -67,7 +74,7 @@ static void step(tr_tile *tile, const tr_law_data *data) {
         tr_path_point *p = &paths->now[k];
         p->u_slide += tile->v_s[i] * tile->dt;
         p->u_roll -= 0.5 * (tile->s1[i] + tile->s2[i]) * tile->dt;
-        p->P = tile->f_n[i];
+        p->P = P_of(g, tile, i);
         p->Q = g->slot[TR_FRICTION].law->step ? tile->f_t[i] : 0; /* else the lane may hold the other group's */
     }
 }

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* A sink that follows chosen contacts wherever they stand in the list: the path that drives their laws,
  *
- *   u_slide += Vs dt,   u_roll += -(s1 + s2)/2 dt    while they touch,    P = f_n
+ *   u_slide += Vs dt,   u_roll += -(s1 + s2)/2 dt    while they touch
  *
- * with the Vs, s1, s2, dt and f_n that the laws had, so that kind: contact gives the same forces along it.
+ * with the Vs, s1, s2 and dt that the laws had, and the P that the friction law had: f_n, or its elastic part if a dashpot carries
+ * no friction (laws on the bed, laws/bed.h). So kind: contact gives the same friction along it.
  *
  * Or all contacts, each for itself: then sums and state are histories of the group, which follow the contact and are in its
  * checkpoints. A life of a contact is from where it touches to where it opens; lives are numbered from 1 as they begin. */
@@ -14,7 +15,7 @@
 
 typedef struct tr_path_point {
     double u_slide, u_roll; /* [m] since the sink was attached; they stand still while the contact is open */
-    double P, Q;            /* normal force and friction [N/m]; 0 while it is open */
+    double P, Q;            /* [N/m]; 0 while it is open */
 } tr_path_point;
 
 struct tr_paths {
@@ -28,8 +29,8 @@ struct tr_paths {
 typedef struct tr_path_life {
     int a, b; /* disks; a = -1-w for wall w */
     double life, R1, R2;
-    double slide, roll, P, Q;
-    double x, y; /* branch: from the centre of a, from the foot at a wall, to the centre of b [m] */
+    double slide, roll, P, Q, f_n; /* f_n: the whole normal force */
+    double x, y;                   /* branch: from the centre of a, from the foot at a wall, to the centre of b [m] */
 } tr_path_life;
 
 /* Follows paths->picks, and all if it is set, from here on; *paths must outlive the world's laws. Call it after the laws are set. */

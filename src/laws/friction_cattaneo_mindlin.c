@@ -35,6 +35,7 @@ const tr_law tr_friction_cattaneo_mindlin = {
                "kappa = (2 - nu)/(2 (1 - nu)) of spheres, 1 of disks",
     .claims = TR_RATE_INDEPENDENT | TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
     .n_hist = TR_BED_HIST,
+    .needs = TR_ELASTIC_P,
     .merged = 2,
     .step = step,
     .state = tr_bed_state,

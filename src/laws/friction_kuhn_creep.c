@@ -130,6 +130,7 @@ const tr_law tr_friction_kuhn_creep = {
     .differs = "Eqs. 10, 16 and 17 are printed for equal spheres, 1/R = 2/R1. Disks creep by Carter's function.",
     .claims = TR_RATE_INDEPENDENT | TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
     .n_hist = TR_BED_HIST,
+    .needs = TR_ELASTIC_P,
     .merged = 2,
     .step = step,
     .state = tr_bed_state,

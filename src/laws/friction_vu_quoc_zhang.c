@@ -46,6 +46,7 @@ const tr_law tr_friction_vu_quoc_zhang = {
                "steady rolling settles.",
     .claims = TR_RATE_INDEPENDENT | TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
     .n_hist = TR_BED_HIST,
+    .needs = TR_ELASTIC_P,
     .merged = 2,
     .step = step,
     .state = tr_bed_state,

@@ -115,14 +115,16 @@ static bool write_all(tr_recorder *r, tr_status *st) {
     FILE *out = r->all.stream;
     const char *force = r->shape == TR_SHAPE_SPHERE ? "N" : "N_per_m";
     if (!r->rows++)
-        fprintf(out, "time_s,life,a,b,R1_m,R2_m,du_slide_m,du_roll_m,P_%s,Q_%s,branch_x_m,branch_y_m\n", force, force);
+        fprintf(out, "time_s,life,a,b,R1_m,R2_m,du_slide_m,du_roll_m,P_%s,Q_%s,f_n_%s,branch_x_m,branch_y_m\n", force,
+                force, force);
     for (int k = 0; k < 2; k++) {
         tr_group *g = &r->world->group[k];
         for (int i = 0; i < g->n; i++) {
             tr_path_life c;
             if (!tr_paths_life(g, i, &c)) continue;
-            fprintf(out, "%.9g,%.0f,%d,%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", (double)(r->steps - 1) * r->dt,
-                    c.life, c.a, c.b, c.R1, c.R2, c.slide + 0.0, c.roll + 0.0, c.P, c.Q + 0.0, c.x, c.y);
+            fprintf(out, "%.9g,%.0f,%d,%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n",
+                    (double)(r->steps - 1) * r->dt, c.life, c.a, c.b, c.R1, c.R2, c.slide + 0.0, c.roll + 0.0, c.P,
+                    c.Q + 0.0, c.f_n, c.x, c.y);
         }
     }
     return tr_file_check(&r->all, st);

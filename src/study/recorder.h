@@ -17,10 +17,10 @@
  *
  * paths.csv, with output.path_rows: N: ALL contacts of disks and of walls (a = -1-w) at N instants evenly spread from start to
  * end, in the order of time; du_slide and du_roll are sums over the steps since the row before of this contact, or since it
- * touched. The sums make the end points of the path exact; the way between two rows is not kept. P and Q are those of the
- * instant. A contact that opens and touches again is another life, with a number of its own; one that lives between two
+ * touched. The sums make the end points of the path exact; the way between two rows is not kept. P, Q and the whole normal force f_n are those of the
+ * instant; P is what the friction law goes by (core/paths.h). A contact that opens and touches again is another life, with a number of its own; one that lives between two
  * instants has a number but no row, and a note counts them. What a contact does after its last row is not there. branch: from
- * the centre of a (of a wall: from the contact) to that of b, so that sum (P n - Q t)_i branch_j is area times stress. */
+ * the centre of a (of a wall: from the contact) to that of b, so that sum (f_n n - Q t)_i branch_j is area times stress. */
 #ifndef TR_RECORDER_H
 #define TR_RECORDER_H
 

@@ -15,7 +15,7 @@
  * Errors. Of force: (Q - Q_exact)/(mu P) at each row. Of energy: what the law takes from the sliding bodies over a life,
  * W = int Q du_slide, less that of the exact contact, over int mu P |du_slide|, what full slip would take. A contact that opens
  * has lost it all; W of one that touches at the end has its store in it, for law and half-plane alike. Stress: sum of
- * (P n - Q t)_i branch_j over all contacts at an instant; the area cancels in sin phi = (S_yy - S_xx)/(S_yy + S_xx).
+ * (f_n n - Q t)_i branch_j over all contacts at an instant; the area cancels in sin phi = (S_yy - S_xx)/(S_yy + S_xx).
  * Contacts of walls, and lives that could not be replayed, keep the Q of the run there. */
 #ifndef TR_REPLAY_H
 #define TR_REPLAY_H
@@ -27,7 +27,7 @@ enum { TR_REPLAY_EXACT, TR_REPLAY_OWN, TR_REPLAY_LAWS = 12 }; /* at most, with t
 typedef struct tr_replay_row {
     int life, instant; /* numbers in the file; then life: index of its tr_replay_life */
     int a, b;
-    double time, R1, R2, slide, roll, P, Q, x, y;
+    double time, R1, R2, slide, roll, P, Q, f_n, x, y;
 } tr_replay_row;
 
 typedef struct tr_replay_life {

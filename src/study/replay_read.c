@@ -7,10 +7,10 @@
 #include "study/replay.h"
 #include <stdlib.h>
 
-enum { TIME, LIFE, A, B, R1, R2, SLIDE, ROLL, FORCE, FRICTION, X, Y, COLUMNS };
-static const char *const columns[COLUMNS] = {"time_s",    "life",      "a",          "b",
-                                             "R1_m",      "R2_m",      "du_slide_m", "du_roll_m",
-                                             "P_N_per_m", "Q_N_per_m", "branch_x_m", "branch_y_m"};
+enum { TIME, LIFE, A, B, R1, R2, SLIDE, ROLL, FORCE, FRICTION, WHOLE, X, Y, COLUMNS };
+static const char *const columns[COLUMNS] = {"time_s",      "life",       "a",         "b",         "R1_m",
+                                             "R2_m",        "du_slide_m", "du_roll_m", "P_N_per_m", "Q_N_per_m",
+                                             "f_n_N_per_m", "branch_x_m", "branch_y_m"};
 
 typedef struct reader {
     tr_replay *r;
@@ -49,6 +49,7 @@ static bool row(void *context, tr_csv *csv) {
                                           .roll = v[ROLL],
                                           .P = v[FORCE],
                                           .Q = v[FRICTION],
+                                          .f_n = v[WHOLE],
                                           .x = v[X],
                                           .y = v[Y]};
     r->row[r->n_rows - 1].instant--; /* from 0 */

@@ -177,7 +177,7 @@ static void add_contact(const tr_replay *r, int i, stress *s) {
     const tr_replay_row *c = &r->row[i];
     double length = hypot(c->x, c->y), nx = c->x / length, ny = c->y / length;
     s->time = c->time, s->contacts++;
-    s->normal[0] += c->P * nx * c->x, s->normal[1] += c->P * ny * c->y;
+    s->normal[0] += c->f_n * nx * c->x, s->normal[1] += c->f_n * ny * c->y;
     for (int k = 0; k < r->n_columns; k++) {
         double Q = r->life[c->life].done ? r->Q[(size_t)i * (size_t)r->n_columns + (size_t)k] : c->Q;
         s->friction[k][0] -= Q * ny * c->x, s->friction[k][1] += Q * nx * c->y; /* t = (n_y, -n_x) */

@@ -437,6 +437,25 @@ static void test_bounds(void **state) {
 
 /* An opening between two walks: the second is the first, bit by bit. Histories copied in mid-path to another bench: it
  * goes on as if it had been there. A look with dt = 0 finds the forces of the step and changes nothing. */
+/* Far beyond full slip friction is mu P: with a dashpot that doubles the normal force, P is what TR_ELASTIC_P says. */
+static void dashpot(int slot, const tr_law *law) {
+    if (!law->step || slot != 1) return;
+    set_up(&A, slot, law, false, SI);
+    for (int i = 0; i < TR_TILE; i++) drive(&A, i, (motion){.delta = 0.05, .Vt = 1e9});
+    run(&A, DT);
+    tr_law_data d = data_of(&A, slot);
+    for (int i = 0; i < A.tile.n; i++) A.tile.f_n[i] = 2 * A.tile.f_elastic[i];
+    law->step(&A.tile, &d);
+    for (int i = 0; i < A.tile.n; i++)
+        assert_close(A.tile.f_t[i],
+                     *tr_law_value(law, A.par[1], "mu") * A.tile.f_elastic[i] * (law->needs & TR_ELASTIC_P ? 1 : 2),
+                     1e-12, 0);
+}
+
+static void test_dashpot(void **state) {
+    (void)state, for_all_laws(dashpot);
+}
+
 static void memory(int slot, const tr_law *law) {
     set_up(&A, slot, law, false, SI);
     walk(&A, 1, 0, &F);
@@ -486,15 +505,11 @@ static void test_the_test_sees_something(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rate),
-        cmocka_unit_test(test_objectivity),
-        cmocka_unit_test(test_balance),
-        cmocka_unit_test(test_closed_cycles),
-        cmocka_unit_test(test_swap),
-        cmocka_unit_test(test_bounds),
-        cmocka_unit_test(test_memory),
-        cmocka_unit_test(test_units),
-        cmocka_unit_test(test_the_test_sees_something),
+        cmocka_unit_test(test_rate),    cmocka_unit_test(test_objectivity),
+        cmocka_unit_test(test_balance), cmocka_unit_test(test_closed_cycles),
+        cmocka_unit_test(test_swap),    cmocka_unit_test(test_bounds),
+        cmocka_unit_test(test_dashpot), cmocka_unit_test(test_memory),
+        cmocka_unit_test(test_units),   cmocka_unit_test(test_the_test_sees_something),
     };
     return cmocka_run_group_tests_name("claims", tests, NULL, NULL);
 }
