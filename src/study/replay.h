@@ -41,6 +41,7 @@ typedef struct tr_replay_life {
 typedef struct tr_replay {
     tr_scene scene, contact; /* of the run; of one contact: its laws and a pair that each life replaces */
     double mu, E_star, depth, k_t;
+    double rate;           /* of strain [1/s] */
     int n_laws, n_columns; /* of tr_contact; n_laws + 1 with the recorded Q */
     const char *name[TR_REPLAY_LAWS];
     tr_replay_row *row; /* sorted by life */
@@ -51,7 +52,7 @@ typedef struct tr_replay {
 } tr_replay;
 
 typedef struct tr_replay_options {
-    const char *run, *dir; /* a finished run; where the tables go */
+    const char *run, *dir; /* a run, stopped or not; where the tables go */
     int jobs, elements;
     int every; /* 1: all; K: lives 0, K, 2K, ... and no stress */
     const volatile sig_atomic_t *stop;
@@ -59,7 +60,7 @@ typedef struct tr_replay_options {
     void *context;
 } tr_replay_options;
 
-/* Reads case.yaml and paths.csv; every disk-disk life but those left out by `every` is replayed. The result does not depend on
+/* Reads case.yaml, history.csv and paths.csv; every disk-disk life but those left out by `every` is replayed. The result does not depend on
  * the number of jobs. TR_INTERRUPTED; TR_BAD_CASE: no such run. */
 bool tr_replay_run(tr_replay *r, const tr_replay_options *o, tr_run_report *report, tr_status *st);
 void tr_replay_free(tr_replay *r);

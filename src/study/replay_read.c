@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* case.yaml and paths.csv of a run. */
+/* case.yaml, history.csv and paths.csv of a run. */
 #include "base/alloc.h"
 #include "laws/law.h"
 #include "out/dir.h"
@@ -56,6 +56,27 @@ static bool row(void *context, tr_csv *csv) {
     return true;
 }
 
+/* The strain grows at a constant rate; a run that was stopped did not come to its end. */
+static bool strain_cell(void *context, tr_csv *csv, int column, const char *text, size_t length) {
+    (void)length;
+    return tr_csv_number(csv, column ? "time_s" : "strain", text, false, (double *)context + column);
+}
+
+static bool strain_row(void *context, tr_csv *csv) {
+    (void)context, (void)csv;
+    return true; /* the last one counts */
+}
+
+static bool read_rate(tr_replay *r, const char *run, tr_status *st) {
+    static const char *const names[] = {"strain", "time_s"};
+    const tr_csv_format format = {names, 2, 2, "strain,...,time_s,...", NULL, strain_cell, strain_row};
+    char path[TR_PATH];
+    double last[2] = {0};
+    if (!tr_dir_path(path, run, "history.csv", st) || !tr_csv_read(path, &format, last, st)) return false;
+    r->rate = last[1] > 0 ? last[0] / last[1] : 0;
+    return true;
+}
+
 static int by_life(const void *a, const void *b) {
     const tr_replay_row *p = a, *q = b;
     return p->life != q->life ? (p->life > q->life) - (p->life < q->life) : p->instant - q->instant;
@@ -85,5 +106,5 @@ bool tr_replay_read(tr_replay *r, const char *run, tr_status *st) {
     const tr_csv_format format = {columns, COLUMNS, COLUMNS, "time_s,life,a,b,...", NULL, cell, row};
     if (!tr_dir_path(path, run, "paths.csv", st) || !tr_csv_read(path, &format, &in, st)) return false;
     if (!r->n_rows) return tr_status_fail(st, TR_BAD_CASE, "%.480s:1: error: no contact in it", path);
-    return split(r, st);
+    return split(r, st) && read_rate(r, run, st);
 }

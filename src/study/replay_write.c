@@ -211,7 +211,7 @@ static bool write_stress(const tr_replay *r, const char *dir, tr_run_report *rep
     for (int i = 0; ok && i < r->n_instants; i++) {
         tr_row cells = {0};
         tr_row_add(&cells, s[i].time, "time_s");
-        tr_row_add(&cells, r->scene.shear.strain_end * s[i].time / s[r->n_instants - 1].time, "strain");
+        tr_row_add(&cells, r->rate * s[i].time, "strain");
         tr_row_add(&cells, s[i].contacts, "contacts");
         for (int k = 0; k < r->n_columns; k++) tr_row_add(&cells, sin_phi(&s[i], k), "sin_phi_%s", r->name[k]);
         ok = tr_row_write(&cells, &file, st);
