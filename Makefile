@@ -144,7 +144,7 @@ help:
 	@echo 'make kuhn      build, shear assemblies with small and large contacts, with and without creep, and judge what Kuhn saw: out/kuhn-1000/; DISKS=400 is quicker'
 	@echo 'make kuhn-film film and still of how contacts of those assemblies use friction, roll and creep: out/kuhn-film/; minutes'
 	@echo 'make bands     build, shear 10,000 disks without and with rolling resistance, and draw where they turn; minutes'
-	@echo 'make replay    build, take the contacts of a biaxial test through the exact half-plane and every law, and draw errors; minutes'
+	@echo 'make replay    build, take the contacts of three assemblies through the exact half-plane and every law, and draw errors: out/replay/; many minutes'
 	@echo 'make bench     build, measure a step of 100 to 1000000 disks, and draw it: out/figures/bench.png; minutes'
 	@echo 'make bench-peers  the same packing here and in LAMMPS, if that is installed: time of a step and ratio'
 	@echo 'make demos     build, and run all cases but the biaxial tests into out/demos/, those that have changed'
