@@ -5,11 +5,11 @@
 #
 #     figures/kuhn/kuhn.sh TRUNDLE DIR [DISKS [SPHERES]]
 #
-# 4096, Kuhn's number, and 250 by default; spheres, whose contacts are harder, go to 30 % strain. Started again it does what is
+# 4096, Kuhn's number, and 1000 by default; spheres, whose contacts are harder, go to 30 % strain. Started again it does what is
 # missing.
 set -eu
 export LC_ALL=C
-trundle=$1 out=$2 disks=${3:-4096} spheres=${4:-250}
+trundle=$1 out=$2 disks=${3:-4096} spheres=${4:-1000}
 here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$out"
 
@@ -21,7 +21,7 @@ run() {
     case $2-$3 in
     disks-large) set -- "$@" "contact.E_star=95*compaction.pressure" ;;
     spheres-small) set -- "$@" contact.nu=0.15 shear.strain_end=0.3 output.rows=300 ;;
-    spheres-large) set -- "$@" 'contact.E_star=540*compaction.pressure/(1 mm)' contact.nu=0.34 shear.strain_end=0.3 output.rows=300 ;;
+    spheres-large) set -- "$@" 'contact.E_star=540*compaction.pressure/(1 mm)' contact.nu=0.34 step.safety=0.6 shear.strain_end=0.3 output.rows=300 ;;
     esac
     case $3 in small) set -- "$@" compaction.inertial_number=3e-2 ;; esac
     shift 3

@@ -5,7 +5,7 @@
 #
 #     figures/replay/replay.sh TRUNDLE DIR [SEED]
 #
-# All three to 20 % strain at I = 1e-3, 1000 instants. Small contacts roll by 14 elements from one to the next, so they have half as
+# All three to 20 % strain at I = 1e-3, 1000 instants, each disk between two plates (depth 0; `make kuhn` has less). Small contacts roll by 14 elements from one to the next, so they have half as
 # many, which leaves 0.0014 mu P. Started again it does what is missing.
 set -eu
 export LC_ALL=C
@@ -22,7 +22,7 @@ kuhn() {
     name=$1
     shift
     run "$name" kuhn-disks --set sample.disks=400 --set output.path_rows=1000 --set output.increments=no \
-        --set shear.inertial_number=1e-3 --set shear.strain_end=0.2 "$@"
+        --set shear.inertial_number=1e-3 --set shear.strain_end=0.2 --set contact.depth=0 "$@"
 }
 kuhn small --set compaction.inertial_number=3e-2 & small=$!
 run walled biaxial-replay & walled=$!
