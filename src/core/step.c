@@ -14,19 +14,23 @@
  * as whole vectors. Against one number at a time the whole step gains 15 % (`trundle bench`). It may read up to three
  * contacts behind the end of the list; see contacts.c. */
 
-/* Numbers `first` and first + 1 of four quads, each as a vector. */
+/* Two numbers of four quads, each as a vector. */
 typedef struct lanes {
     tr_quad one, two;
 } lanes;
 
-static inline lanes turn(tr_quad low, tr_quad high) {
-    return (lanes){__builtin_shufflevector(low, high, 0, 4, 2, 6), __builtin_shufflevector(low, high, 1, 5, 3, 7)};
+static inline lanes turn(const tr_quad *even, const tr_quad *odd) {
+    return (lanes){__builtin_shufflevector(*even, *odd, 0, 4, 2, 6), __builtin_shufflevector(*even, *odd, 1, 5, 3, 7)};
 }
 static inline lanes numbers_01(const tr_quad q[4]) {
-    return turn(__builtin_shufflevector(q[0], q[2], 0, 1, 4, 5), __builtin_shufflevector(q[1], q[3], 0, 1, 4, 5));
+    tr_quad even = __builtin_shufflevector(q[0], q[2], 0, 1, 4, 5),
+            odd = __builtin_shufflevector(q[1], q[3], 0, 1, 4, 5);
+    return turn(&even, &odd);
 }
 static inline lanes numbers_23(const tr_quad q[4]) {
-    return turn(__builtin_shufflevector(q[0], q[2], 2, 3, 6, 7), __builtin_shufflevector(q[1], q[3], 2, 3, 6, 7));
+    tr_quad even = __builtin_shufflevector(q[0], q[2], 2, 3, 6, 7),
+            odd = __builtin_shufflevector(q[1], q[3], 2, 3, 6, 7);
+    return turn(&even, &odd);
 }
 
 TR_VECTOR static void gather_disks(tr_tile *restrict tile, const tr_group *g, const tr_disks *d) {

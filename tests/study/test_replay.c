@@ -317,9 +317,9 @@ static void own_law_reproduces_the_run(void **state) {
     assert_true(every < 1e-4);
     assert_true(every < many && many < some && some < few);
     assert_true(some < 0.05);
-    many = own_error(PERIODIC("0.003") PATHS "200}\n"), few = own_error(PERIODIC("0.003") PATHS "20}\n");
-    print_message("periodic cell: 200 rows %.1e, 20 %.1e\n", many, few);
-    assert_true(many < 0.01 && many < 0.1 * few);
+    double periodic = own_error(PERIODIC("0.003") PATHS "200}\n"); /* 0.4 if P had the dashpot */
+    print_message("periodic cell: %.1e\n", periodic);
+    assert_true(periodic < 1e-3);
 }
 
 /* ---- made-up paths in the place of those of a run */
