@@ -223,9 +223,10 @@ static bool check_finite(const tr_world *world, tr_status *st) {
     return true;
 }
 
-static bool check_step(const tr_world *world, tr_status *st) {
+static bool check_step(tr_world *world, tr_status *st) {
     char which[96], what[160];
     tr_timestep_limit limit = tr_timestep_contacts(world);
+    world->checked_dt = world->dt;
     if (world->dt <= limit.dt || world->allow_unstable) return true;
     const tr_group *g = &world->group[limit.group];
     name_contact(g->walls, g->a[limit.contact], g->b[limit.contact], which, sizeof which);
@@ -263,5 +264,7 @@ bool tr_contacts_refresh(tr_world *world, tr_status *st) {
     world->wall_moved = world->cell.moved[0] = 0;
     world->stale = false;
     world->refreshes++;
-    return enough || check_step(world, st);
+    /* Stiffness and numbers of contacts change slowly, and to look at each is half of what a list costs. */
+    bool due = !enough || world->dt != world->checked_dt || world->refreshes % 4 == 0;
+    return !due || check_step(world, st);
 }

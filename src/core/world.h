@@ -160,6 +160,7 @@ typedef struct tr_world {
     double wall_moved;           /* how far any wall has moved since the last refresh, at most [m] */
     bool fresh;                  /* laws were just set: nothing has moved since the histories were zero */
     bool stale;                  /* the list no longer holds every pair that may touch */
+    double checked_dt;           /* the step when the bound of the contacts was last looked at [s] */
     int64_t searches, refreshes;
 } tr_world;
 

@@ -65,9 +65,6 @@ check 'quartiles about the median, shares below 1' awk -F, \
 # for the contacts, which are a mean.
 check 'time of a step is that of its contacts' awk -F, \
     'NR > 1 && (0.9*$3/$8*1e3 > $7 || 1.1*$4/$8*1e3 < $6) {print; bad = 1} END {exit bad}' "$work/sizes.csv"
-# A tile has 4 x 35 disks at its cuts: pairs missing or doubled there would be 5 to 10 %.
-check 'four tiles are packed like one' awk -F, '$1 == 1000 {one = $9/$1} $1 == 4000 {four = $9/$1}
-    END {print one, four; exit !(four > 0.97*one && four < 1.03*one)}' "$work/sizes.csv"
 check 'a line with the slope' grep -qE '^time of a step ~ N\^[0-9.]+ for N = 1000 to 4000$' "$work/out"
 check 'too few disks are refused' sh -c '"$0" bench --sizes 99; test $? -eq 2' "$TRUNDLE"
 
