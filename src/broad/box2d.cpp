@@ -89,8 +89,8 @@ bool query(const Box2d &self, const tr_broad_input *input, const b2AABB &all, in
             self.tree.Query(&collect, self.box(p, input->skin));
             for (int image = 0; image < 9 && input->cell; image++) {
                 if (image == 4) continue; /* itself */
-                b2AABB box =
-                    self.box(p, input->skin, (image % 3 - 1) * input->cell[0], (image / 3 - 1) * input->cell[1]);
+                int column = image % 3 - 1, row = image / 3 - 1;
+                b2AABB box = self.box(p, input->skin, column * input->cell[0], row * input->cell[1]);
                 if (b2TestOverlap(box, all)) self.tree.Query(&collect, box);
             }
             std::sort(share.near.begin(), share.near.end());

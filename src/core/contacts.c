@@ -136,6 +136,7 @@ static bool check_overlap(const tr_world *world, bool walls, int a, int b, doubl
 
 /* Every disk and wall is looked at: n_walls n, at refreshes only. */
 static bool refresh_walls(tr_world *world, tr_status *st) {
+    const double no_image[2] = {0};
     tr_group *g = &world->group[1];
     int old = 0;
     group_begin(g);
@@ -146,7 +147,7 @@ static bool refresh_walls(tr_world *world, tr_status *st) {
             if (delta <= -world->thin_skin) continue;
             if (!check_overlap(world, true, w, i, delta, pos[3], st) || !tr_contacts_reserve(g, g->n + 1, st))
                 return false;
-            group_put(world, g, g->n++, w, i, NULL, &old);
+            group_put(world, g, g->n++, w, i, no_image, &old);
         }
     return true;
 }
@@ -173,7 +174,7 @@ static void list_share(const tr_world *world, tr_group *g, share *s) {
     int to = s->first, old = s->low < s->high ? old_from(g, world->near.a[s->low], world->near.b[s->low]) : 0;
     s->crushed = -1;
     for (int i = s->low; i < s->high; i++) {
-        double image[2], delta = near_overlap(world, i, image);
+        double image[2] = {0}, delta = near_overlap(world, i, image);
         if (delta <= -world->thin_skin) continue;
         int a = world->near.a[i], b = world->near.b[i];
         group_put(world, g, to, a, b, image, &old);
