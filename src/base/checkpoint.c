@@ -187,6 +187,8 @@ static bool check_case(tr_checkpoint *c, const char *path, const char *ours) {
     int theirs = (int)strcspn(saved + line, "#\n"), other = (int)strcspn(ours + line, "#\n");
     while (theirs && saved[line + (size_t)theirs - 1] == ' ') theirs--;
     while (other && ours[line + (size_t)other - 1] == ' ') other--;
+    if (theirs == other && !memcmp(saved + line, ours + line, (size_t)other)) /* they differ in a comment */
+        return tr_status_fail(c->st, TR_FILE, "error: %s is of another version of trundle", path);
     return tr_status_fail(c->st, TR_FILE, "error: %s is of another case: it has `%.*s`, this one `%.*s`", path, theirs,
                           saved + line, other, ours + line);
 }

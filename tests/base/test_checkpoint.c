@@ -242,6 +242,8 @@ static void test_what_is_not_ours_is_refused(void **state) {
     assert_non_null(strstr(st.text, "another case: it has `seed: 1`, this one `seed: 2`"));
     assert_int_equal(load("kind: biaxial\n", &instead, &st), -1);
     assert_non_null(strstr(st.text, "another case"));
+    assert_int_equal(load("kind: biaxial\nseed: 1 # of the sample\nmu: 0.5\n", &instead, &st), -1);
+    assert_non_null(strstr(st.text, "another version of trundle"));
     size_t n = get(newest, bytes, sizeof bytes);
     bytes[8] = 2; /* the version, behind the magic */
     put(newest, bytes, n);
