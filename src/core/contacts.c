@@ -125,10 +125,12 @@ static void name_contact(bool walls, int a, int b, char *text, size_t size) {
     snprintf(text, size, walls ? "contact of wall %d with disk %d" : "contact of disks %d and %d", a, b);
 }
 
-/* R: the smaller radius. */
-static bool check_overlap(const tr_world *world, bool walls, int a, int b, double delta, double R, tr_status *st) {
+static bool is_crushed(double delta, double R1, double R2) {
+    return delta > TR_LARGEST_OVERLAP * fmin(R1, R2);
+}
+
+static bool fail_crushed(const tr_world *world, bool walls, int a, int b, double delta, double R, tr_status *st) {
     char which[96], what[160];
-    if (!(delta > TR_LARGEST_OVERLAP * R)) return true;
     name_contact(walls, a, b, which, sizeof which);
     snprintf(what, sizeof what, "overlap %.3g m is above 0.3 of the radius %.3g m", delta, R);
     return fail_at(world, st, what, which);
@@ -145,8 +147,8 @@ static bool refresh_walls(tr_world *world, tr_status *st) {
             const double *pos = world->disks.pos + 4 * (size_t)i;
             double delta = pos[3] - tr_contacts_wall_distance(&world->wall[w], pos);
             if (delta <= -world->thin_skin) continue;
-            if (!check_overlap(world, true, w, i, delta, pos[3], st) || !tr_contacts_reserve(g, g->n + 1, st))
-                return false;
+            if (is_crushed(delta, pos[3], pos[3])) return fail_crushed(world, true, w, i, delta, pos[3], st);
+            if (!tr_contacts_reserve(g, g->n + 1, st)) return false;
             group_put(world, g, g->n++, w, i, no_image, &old);
         }
     return true;
@@ -178,8 +180,7 @@ static void list_share(const tr_world *world, tr_group *g, share *s) {
         if (delta <= -world->thin_skin) continue;
         int a = world->near.a[i], b = world->near.b[i];
         group_put(world, g, to, a, b, image, &old);
-        double R = g->pair[0][to] < g->pair[1][to] ? g->pair[0][to] : g->pair[1][to];
-        if (delta > TR_LARGEST_OVERLAP * R && s->crushed < 0) s->crushed = i;
+        if (is_crushed(delta, g->pair[0][to], g->pair[1][to]) && s->crushed < 0) s->crushed = i;
         to++;
     }
     s->n = to - s->first;
@@ -205,7 +206,7 @@ static bool refresh_disks(tr_world *world, tr_status *st) {
     if (crushed >= 0) {
         int a = world->near.a[crushed], b = world->near.b[crushed];
         const double *p = world->disks.pos + 4 * (size_t)a, *q = world->disks.pos + 4 * (size_t)b;
-        return check_overlap(world, false, a, b, near_overlap(world, crushed, NULL), p[3] < q[3] ? p[3] : q[3], st);
+        return fail_crushed(world, false, a, b, near_overlap(world, crushed, NULL), fmin(p[3], q[3]), st);
     }
     for (int k = 0; k < BEHIND && g->capacity; k++) g->a[g->n + k] = g->b[g->n + k] = 0;
     return true;
@@ -224,10 +225,9 @@ static bool check_finite(const tr_world *world, tr_status *st) {
     return true;
 }
 
-static bool check_step(tr_world *world, tr_status *st) {
+static bool check_step(const tr_world *world, tr_status *st) {
     char which[96], what[160];
     tr_timestep_limit limit = tr_timestep_contacts(world);
-    world->checked_dt = world->dt;
     if (world->dt <= limit.dt || world->allow_unstable) return true;
     const tr_group *g = &world->group[limit.group];
     name_contact(g->walls, g->a[limit.contact], g->b[limit.contact], which, sizeof which);
@@ -265,7 +265,5 @@ bool tr_contacts_refresh(tr_world *world, tr_status *st) {
     world->wall_moved = world->cell.moved[0] = 0;
     world->stale = false;
     world->refreshes++;
-    /* Stiffness and numbers of contacts change slowly, and to look at each is half of what a list costs. */
-    bool due = !enough || world->dt != world->checked_dt || world->refreshes % 4 == 0;
-    return !due || check_step(world, st);
+    return check_step(world, st);
 }

@@ -44,7 +44,7 @@ typedef struct tr_disks {
     double *pos, *vel, *force, *inv; /* n*4 each, see above; inv is 0 where the motion is prescribed */
     double *load;                    /* n*4: what acts on a disk besides contacts: weight, torque; NULL: nothing does */
     double *mass;                    /* n [kg/m] */
-    int *coordination;               /* n: contacts of each: listed, or touching once tr_timestep_contacts was asked */
+    int *coordination;               /* n: touching contacts of each, as of the last tr_timestep_contacts */
 } tr_disks;
 
 /* A rigid plane through (x, y); the disks are on the side of its unit normal. It does not rotate. */
@@ -160,7 +160,6 @@ typedef struct tr_world {
     double wall_moved;           /* how far any wall has moved since the last refresh, at most [m] */
     bool fresh;                  /* laws were just set: nothing has moved since the histories were zero */
     bool stale;                  /* the list no longer holds every pair that may touch */
-    double checked_dt;           /* the step when the bound of the contacts was last looked at [s] */
     int64_t searches, refreshes;
 } tr_world;
 

@@ -8,11 +8,11 @@
 #include "core/step.h"
 #include "laws/law.h"
 #include "study/contact.h"
-#include "study/csv.h"
 #include "study/inside.h"
 #include "study/path.h"
 #include "study/recorder.h"
 #include "study/run.h"
+#include "study/table.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -22,33 +22,12 @@ static char folder[] = "/tmp/trundle-record-XXXXXX";
 
 /* ---- a table */
 
-enum { SLIDE, ROLL, FORCE, TIME, FRICTION, COLUMNS, MAX_ROWS = 60000 };
-
-typedef struct table {
-    int n;
-    double now[COLUMNS], (*row)[COLUMNS];
-} table;
-
-static bool cell(void *context, tr_csv *csv, int column, const char *text, size_t length) {
-    (void)length;
-    return tr_csv_number(csv, "", text, false, &((table *)context)->now[column]);
-}
-
-static bool row(void *context, tr_csv *csv) {
-    table *t = context;
-    (void)csv;
-    assert_true(t->n < MAX_ROWS);
-    memcpy(t->row[t->n++], t->now, sizeof t->now);
-    return true;
-}
+enum { SLIDE, ROLL, FORCE, TIME, FRICTION, COLUMNS };
 
 static table read_columns(const char *run, const char *name, const char *const columns[], int n) {
-    table t = {.row = calloc(MAX_ROWS, sizeof *t.row)};
-    char path[200];
-    tr_status st = {0};
-    snprintf(path, sizeof path, "%s/%s/%s", folder, run, name);
-    if (!tr_csv_read(path, &(tr_csv_format){columns, n, n, "", NULL, cell, row}, &t, &st)) fail_msg("%s", st.text);
-    return t;
+    char dir[200];
+    snprintf(dir, sizeof dir, "%s/%s", folder, run);
+    return table_read(dir, name, columns, n);
 }
 
 static table read_path(const char *run, const char *name) {

@@ -4,9 +4,9 @@
  * on made-up paths, the stress against that of the walls or of the cell. */
 #include "assert_close.h"
 #include "laws/law.h"
-#include "study/csv.h"
 #include "study/replay.h"
 #include "study/run.h"
+#include "study/table.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -16,35 +16,6 @@
 static char folder[] = "/tmp/trundle-replay-XXXXXX";
 
 /* ---- tables and runs */
-
-enum { MAX_COLUMNS = 13 };
-
-typedef struct table {
-    int n, capacity;
-    double now[MAX_COLUMNS], (*row)[MAX_COLUMNS];
-} table;
-
-static bool cell(void *context, tr_csv *csv, int column, const char *text, size_t length) {
-    (void)length;
-    return tr_csv_number(csv, "", text, true, &((table *)context)->now[column]);
-}
-
-static bool row(void *context, tr_csv *csv) {
-    table *t = context;
-    (void)csv;
-    if (t->n == t->capacity) t->row = realloc(t->row, (size_t)(t->capacity = 2 * t->n + 1000) * sizeof *t->row);
-    memcpy(t->row[t->n++], t->now, sizeof t->now);
-    return true;
-}
-
-static table read_table(const char *name, const char *const *columns, int n) {
-    table t = {0};
-    char path[300];
-    tr_status st = {0};
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    if (!tr_csv_read(path, &(tr_csv_format){columns, n, n, "", NULL, cell, row}, &t, &st)) fail_msg("%s", st.text);
-    return t;
-}
 
 enum { TIME, LIFE, A, B, R1, R2, SLIDE, ROLL, FORCE, FRICTION, WHOLE, X, Y, N_COLUMNS };
 static const char *const columns[N_COLUMNS] = {"time_s",      "life",       "a",         "b",         "R1_m",
@@ -84,7 +55,8 @@ static void last_instant_is_contacts_csv(void **state) {
     (void)state;
     run_case(BIAXIAL(CREEP) "output: {frames: 0, curves: no, path_rows: 12}\n", "all");
     static const char *const of_contact[] = {"a", "b", "f_n_N_per_m", "f_t_N_per_m", "nx", "ny", "overlap_m"};
-    table t = read_table("all/paths.csv", columns, N_COLUMNS), c = read_table("all/contacts.csv", of_contact, 7);
+    table t = table_read(folder, "all/paths.csv", columns, N_COLUMNS),
+          c = table_read(folder, "all/contacts.csv", of_contact, 7);
     int instants = 1;
     for (int i = 1; i < t.n; i++) instants += t.row[i][TIME] > t.row[i - 1][TIME];
     assert_int_equal(instants, 12);
@@ -115,7 +87,7 @@ static void sums_do_not_depend_on_the_rows(void **state) {
     for (int k = 0; k < 2; k++) {
         char name[40];
         snprintf(name, sizeof name, "%s/paths.csv", runs[k]);
-        table t = read_table(name, columns, N_COLUMNS);
+        table t = table_read(folder, name, columns, N_COLUMNS);
         for (int i = 0; i < t.n; i++) {
             int life = (int)t.row[i][LIFE];
             assert_true(life < 4000);
@@ -126,7 +98,7 @@ static void sums_do_not_depend_on_the_rows(void **state) {
     }
     double best = INFINITY, moved = 0;
     static const char *const of_path[] = {"u_slide_m", "u_roll_m", "P_N_per_m"};
-    table one = read_table("few/paths/most-mobilised.csv", of_path, 3);
+    table one = table_read(folder, "few/paths/most-mobilised.csv", of_path, 3);
     int i = one.n - 1;
     while (i > 0 && one.row[i][2] > 0) i--; /* where it touched last */
     double u[2] = {one.row[one.n - 1][0] - one.row[i][0], one.row[one.n - 1][1] - one.row[i][1]};
@@ -167,8 +139,8 @@ static void increments_add_up(const char *boundary, const char *name) {
     run_case(text, name);
     static const char *const tables[] = {"paths", "contacts", "history"};
     for (int k = 0; k < 3; k++) snprintf(file[k], sizeof file[k], "%s/%s.csv", name, tables[k]);
-    table p = read_table(file[0], columns, N_COLUMNS), c = read_table(file[1], of_contact, 7);
-    table h = read_table(file[2], of_history, 3);
+    table p = table_read(folder, file[0], columns, N_COLUMNS), c = table_read(folder, file[1], of_contact, 7);
+    table h = table_read(folder, file[2], of_history, 3);
     assert_int_equal(h.n, 10);
     double largest = 0, *roll = calloc((size_t)c.n, sizeof *roll), *creep = calloc((size_t)c.n, sizeof *creep);
     for (int i = 0; i < c.n; i++) largest = fmax(largest, fabs(c.row[i][3]));
@@ -216,7 +188,8 @@ static void motion_follows_the_disks_across_edges(void **state) {
     enum { DISKS = 60, LIVES = 4000 };
     static const char *const of_disk[] = {"time_s", "disk", "x_m", "y_m", "angle_rad"};
     run_case(PERIODIC("0.01") "output: {frames: 0, curves: no, path_rows: 101, contacts: 100}\n", "edges");
-    table t = read_table("edges/paths.csv", columns, N_COLUMNS), d = read_table("edges/disks.csv", of_disk, 5);
+    table t = table_read(folder, "edges/paths.csv", columns, N_COLUMNS),
+          d = table_read(folder, "edges/disks.csv", of_disk, 5);
     struct {
         double time, beta, angle[2];
     } before[LIVES] = {0};
@@ -361,12 +334,13 @@ static void closed_forms(void **state) {
     assert_int_equal(r.n_lives, 5);
     assert_false(r.life[3].done);
     static const char *const of_stress[] = {"sin_phi_exact"};
-    table t = read_table("made-up/replay-stress.csv", of_stress, 1);
+    table t = table_read(folder, "made-up/replay-stress.csv", of_stress, 1);
     assert_close(t.row[0][0], (900.0 - 4 * 300) / (900 + 4 * 300), 1e-5, 0); /* no friction yet */
     free(t.row);
     /* The run took other times: its rate of strain counts, not its end. Six digits. */
     static const char *const of_time[] = {"strain", "time_s"};
-    table h = read_table("made-up/history.csv", of_time, 2), s = read_table("made-up/replay-stress.csv", of_time, 2);
+    table h = table_read(folder, "made-up/history.csv", of_time, 2),
+          s = table_read(folder, "made-up/replay-stress.csv", of_time, 2);
     assert_close(s.row[ROWS - 1][0], (ROWS - 1) * h.row[h.n - 1][0] / h.row[h.n - 1][1], 1e-5, 0);
     free(h.row), free(s.row);
     int spring = law_of(&r, "coulomb-spring"), bed = law_of(&r, "cattaneo-mindlin"),
@@ -411,7 +385,7 @@ static void errors_by_class(void **state) {
     (void)state;
     static const char *const of_errors[] = {"n", "median", "max", "up_to"};
     tr_replay r = replay("made-up", "made-up", 1, 20, 1);
-    table t = read_table("made-up/replay-errors.csv", of_errors, 4);
+    table t = table_read(folder, "made-up/replay-errors.csv", of_errors, 4);
     double largest = 0;
     for (int i = 0; i < r.n_rows; i++)
         if (r.row[i].a >= 0)
@@ -442,8 +416,8 @@ static void stress_is_that_of_the_boundary(void **state) {
     for (int k = 0; k < 2; k++) {
         run_case(cases[k], "stress");
         tr_replay r = replay("stress", "stress", 2, 6, 1);
-        table h = read_table("stress/history.csv", of_history, 2),
-              s = read_table("stress/replay-stress.csv", of_stress, 2);
+        table h = table_read(folder, "stress/history.csv", of_history, 2),
+              s = table_read(folder, "stress/replay-stress.csv", of_stress, 2);
         double boundary = 0, contacts = 0;
         assert_int_equal(h.n, 101);
         assert_int_equal(s.n, 101);
@@ -485,7 +459,8 @@ static void a_sample(void **state) {
     static const char *const of_lives[] = {"a", "b", "from_s", "run-replayed_rms"};
     tr_replay r = replay("stress", "sample", 2, 6, 3);
     tr_replay_free(&r);
-    table all = read_table("jobs-1/replay.csv", of_lives, 4), part = read_table("sample/replay.csv", of_lives, 4);
+    table all = table_read(folder, "jobs-1/replay.csv", of_lives, 4),
+          part = table_read(folder, "sample/replay.csv", of_lives, 4);
     assert_in_range(part.n, all.n / 4, all.n / 2);
     for (int i = 0, k = 0; i < part.n; i++, k++) {
         while (k < all.n && memcmp(all.row[k], part.row[i], 4 * sizeof(double))) k++;
