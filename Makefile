@@ -49,7 +49,7 @@ wang: packages-build
 	figures/wang/wang.sh ./trundle out/wang $(SEEDS)
 
 # Kuhn's assemblies with a verdict on each trend. Goes on with what is there; DISKS=400 is quicker than 4096, as Kuhn had. Not among the figures: it
-# takes the better part of an hour.
+# takes one to two hours.
 DISKS ?= 4096
 kuhn: packages-build
 	@$(MAKE) --no-print-directory build-all
@@ -141,7 +141,7 @@ help:
 	@echo 'make figures   build, and draw figures/*.gp with their data into out/figures/ (needs gnuplot); then make wang and make bands'
 	@echo 'make features  build, measure what each feature and each law costs, and draw it: out/figures/features.png'
 	@echo 'make wang      build, sweep the biaxial test as Wang did, and judge each claim: out/wang/; SEEDS=3 for a minute of it'
-	@echo 'make kuhn      build, shear assemblies with small and large contacts, with and without creep, and judge what Kuhn saw: out/kuhn-4096/; DISKS=400 is quicker'
+	@echo 'make kuhn      build, shear assemblies with small and large contacts, with and without creep, and judge what Kuhn saw: out/kuhn-4096/; hours, DISKS=400 is quicker'
 	@echo 'make kuhn-film film and still of how contacts of those assemblies use friction, roll and creep: out/kuhn-film/; minutes'
 	@echo 'make bands     build, shear 10,000 disks without and with rolling resistance, and draw where they turn; minutes'
 	@echo 'make replay    build, take the contacts of three assemblies through the exact half-plane and every law, and draw errors: out/replay/; many minutes'

@@ -59,6 +59,10 @@ struct Collect {
     }
 };
 
+bool out_of_memory(const tr_broad_input *input, tr_status *st) {
+    return tr_status_fail(st, TR_FILE, "error: out of memory (pair finding, %d disks)", input->n);
+}
+
 void *create(const tr_broad_input *input, tr_status *st) {
     if (!tr_broad_check(input, st)) return nullptr;
     try {
@@ -73,7 +77,7 @@ void *create(const tr_broad_input *input, tr_status *st) {
                                                          reinterpret_cast<void *>(static_cast<uintptr_t>(i))));
         return self;
     } catch (const std::bad_alloc &) {
-        tr_status_fail(st, TR_FILE, "error: out of memory (pair finding, %d disks)", input->n);
+        out_of_memory(input, st);
         return nullptr;
     }
 }
@@ -115,18 +119,17 @@ bool find(void *finder, const tr_broad_input *input, tr_pairs *pairs, tr_status 
             self->tree.MoveProxy(self->proxy[static_cast<size_t>(i)],
                                  self->box(input->pos + 4 * static_cast<size_t>(i), 0), b2Vec2(0, 0));
     } catch (const std::bad_alloc &) {
-        failed = 1;
+        return out_of_memory(input, st);
     }
     b2AABB all = input->n ? self->box(input->pos, 0) : b2AABB{};
-    for (int i = 0; i < input->n && !failed; i++)
-        all.Combine(self->tree.GetFatAABB(self->proxy[static_cast<size_t>(i)]));
+    for (int i = 0; i < input->n; i++) all.Combine(self->tree.GetFatAABB(self->proxy[static_cast<size_t>(i)]));
     TR_OMP(omp parallel for schedule(static, 1) reduction(+ : failed) if (n > 1))
-    for (int k = 0; k < (failed ? 0 : n); k++) {
+    for (int k = 0; k < n; k++) {
         int low = static_cast<int>(static_cast<int64_t>(input->n) * k / n);
         int high = static_cast<int>(static_cast<int64_t>(input->n) * (k + 1) / n);
         failed += !query(*self, input, all, low, high, self->shares[static_cast<size_t>(k)]);
     }
-    if (failed) return tr_status_fail(st, TR_FILE, "error: out of memory (pair finding, %d disks)", input->n);
+    if (failed) return out_of_memory(input, st);
     for (const Share &s : self->shares) found += s.a.size();
     if (!tr_pairs_reserve(pairs, found, st)) return false;
     for (const Share &s : self->shares) {

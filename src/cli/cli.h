@@ -27,7 +27,6 @@ bool tr_cli_open(tr_file *file, const char *path, tr_status *st);
 struct argp_state;
 int tr_cli_whole(const char *text, int low, int high, const char *what, struct argp_state *state);
 
-
 /* Ctrl-C: from here on the first one asks to stop by setting the flag, a second one kills. */
 const volatile sig_atomic_t *tr_cli_stop(void);
 

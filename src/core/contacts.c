@@ -169,7 +169,9 @@ static double near_overlap(const tr_world *world, int i, double *image) {
 }
 
 static void count_share(const tr_world *world, share *s) {
-    for (int i = s->low; i < s->high; i++) s->n += near_overlap(world, i, NULL) > -world->thin_skin;
+    int n = 0; /* not in *s, which shares its cache line with those of other threads */
+    for (int i = s->low; i < s->high; i++) n += near_overlap(world, i, NULL) > -world->thin_skin;
+    s->n = n;
 }
 
 static void list_share(const tr_world *world, tr_group *g, share *s) {

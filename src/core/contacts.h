@@ -7,10 +7,9 @@
 
 #define TR_LARGEST_OVERLAP 0.3 /* of the smaller radius: beyond it no contact law means anything */
 
-/* Renews the lists of both groups: every pair closer than the thin skin, sorted by (a, b). Histories follow the ids.
- * Searches with the broad phase when its wider list may have missed a pair. Then checks the state: finite, no leap in one step, no overlap
- * above 0.3 R, and dt below the stability bound of the touching contacts (unless allow_unstable); else TR_NUMERICAL
- * naming disk, contact, step and time. */
+/* Looks whether the state is finite and no disk leaps in one step; renews the lists of both groups: every pair closer than the thin skin, sorted by (a, b). Histories follow the ids.
+ * Searches with the broad phase when its wider list may have missed a pair. No overlap may be above 0.3 R, and dt not above the
+ * stability bound of the touching contacts (unless allow_unstable). Else TR_NUMERICAL naming disk, contact, step and time. */
 bool tr_contacts_refresh(tr_world *world, tr_status *st);
 
 /* Room for n contacts in the list, and in the old one; what they hold is kept, the rest is 0. */

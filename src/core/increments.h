@@ -6,8 +6,8 @@
  *   |u_roll|/|u_slide|    rolling over sliding [Kuhn2014 table 3]
  *   |u_creep|/|u_slide|   effect of creep, F with R_star for R/2 [Kuhn2014 eq. 17, table 4]
  *
- * of the contacts that touched all the time; of each of them the three sums are in its record. Kuhn takes both from the velocities of an instant; those of a packing that
- * moves by inertia are those of its vibrations too, an interval averages them out.
+ * of the contacts that touched all the time; the sums of every contact are in its record. Kuhn takes both from the velocities of an
+ * instant; those of a packing that moves by inertia are those of its vibrations too, an interval averages them out.
  *
  * A run is a way in one direction, int |du_roll|/a, a = sqrt(4 P R/(pi E_star)) or cbrt(3 P R/(4 E_star)) of each step
  * (tr_law_width). It ends where the contact opens, or has rolled back by a tenth of a: vibrations do not end it. What ends

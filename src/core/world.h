@@ -35,7 +35,7 @@ enum {
     TR_MAX_PASSES = 9,
     TR_MAX_WALLS = 128,
     TR_MAX_VELOCITY_MEASURES = 8,
-    TR_GROUP_HIST = 3 * TR_MAX_HIST + 9, /* laws of three slots, and the sinks */
+    TR_GROUP_HIST = 3 * TR_MAX_HIST + 32, /* laws of three slots, and the sinks, which have 25 in all */
     TR_GROUP_PAIR = 5 + 3 * TR_MAX_PAIR /* R1, R2, g1, the image of b in a periodic cell, and the laws of three slots */
 };
 

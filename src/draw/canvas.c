@@ -88,6 +88,7 @@ static bool encode(png_structp png, png_infop info, const unsigned char *pixels,
 }
 
 bool tr_canvas_encode(tr_canvas *canvas, tr_status *st) {
+    if (!sound(canvas, st)) return false;
     free(canvas->png), canvas->png = NULL;
     FILE *memory = open_memstream(&canvas->png, &canvas->png_size);
     png_structp png = memory ? png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, png_leave, png_silent) : NULL;
@@ -110,7 +111,7 @@ static int write_file(const tr_canvas *canvas, const char *path) {
 }
 
 bool tr_canvas_write(const tr_canvas *canvas, const char *path, tr_status *st) {
-    char *part = sound(canvas, st) ? tr_part_name(path, st) : NULL;
+    char *part = tr_part_name(path, st);
     if (!part) return false;
     int error = write_file(canvas, part);
     bool ok = error ? tr_status_fail(st, TR_FILE, "error: cannot write %s: %s", path, strerror(error))

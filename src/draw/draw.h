@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Pictures of a world: frames of 1280 x 720 drawn off-screen, saved as PNG or sent to a film.
  *
- * A canvas is made once and drawn over for every frame. What to draw is a tr_view or a tr_show; nothing is read from
+ * A canvas may be drawn over. What to draw is a tr_view or a tr_show; nothing is read from
  * anywhere else, and the same view gives the same pixels. In all strings `_` lowers the next character: "V_s". */
 #ifndef TR_DRAW_H
 #define TR_DRAW_H
@@ -46,7 +46,7 @@ typedef struct tr_canvas tr_canvas;
 tr_canvas *tr_canvas_create(tr_status *st);
 
 /* A canvas without pixels, which only keeps the strokes: a twentieth of the time of drawing. To replay gives the pixels that drawing
- * would have given, later and by any thread: what the view pointed to may be gone. */
+ * would have given, later and by any thread: what the view pointed to may be gone. It is for one picture, and for nothing but to be replayed. */
 tr_canvas *tr_canvas_record(tr_status *st);
 bool tr_canvas_replay(tr_canvas *canvas, const tr_canvas *strokes, tr_status *st);
 void tr_canvas_free(tr_canvas *canvas);

@@ -32,7 +32,7 @@ tr_quartiles tr_bench_quartiles(const double *values, int n) {
     return (tr_quartiles){quantile(sorted, n, 0.25), quantile(sorted, n, 0.5), quantile(sorted, n, 0.75)};
 }
 
-/* Of this thread alone, so that a busy machine disturbs less; where threads share the work, of the wall: waiting counts. */
+/* Of this thread alone, so that a busy machine disturbs less; where threads were asked for, of the wall: waiting counts. */
 double tr_bench_clock(void) {
     struct timespec t;
     clock_gettime(tr_threads() > 1 ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID, &t);

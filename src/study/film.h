@@ -5,7 +5,7 @@
  * They are drawn beside the solver:
  *
  *     the run     draws on film.canvas, which only keeps the strokes      -> a queue of a few frames
- *     a crew      one thread a processor, each with a canvas of its own: takes a frame, draws and encodes it,
+ *     a crew      one thread a processor, four at most, each with a canvas of its own: takes a frame, draws and encodes it,
  *                 waits for its turn, then writes the file and gives ffmpeg the pixels
  *
  * Files are there in the order of the frames, and after the first that fails there are no more; that failure meets the run at

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The contacts of a finished biaxial test, each along the path that it had there (paths.csv, study/recorder.h), through the
+/* The contacts of a biaxial test, each along the path that it had there (paths.csv, study/recorder.h), through the
  * exact half-plane and through every friction law: how far is each law off, where contacts of an assembly really go?
  *
  * A life of a contact is a case of kind: contact (study/contact.h), its rows are the segments: P linear, sliding and rolling

@@ -73,7 +73,8 @@ static bool read_rate(tr_replay *r, const char *run, tr_status *st) {
     char path[TR_PATH];
     double last[2] = {0};
     if (!tr_dir_path(path, run, "history.csv", st) || !tr_csv_read(path, &format, last, st)) return false;
-    r->rate = last[1] > 0 ? last[0] / last[1] : 0;
+    if (!(last[1] > 0)) return tr_status_fail(st, TR_BAD_CASE, "%.480s:1: error: no row after the start", path);
+    r->rate = last[0] / last[1];
     return true;
 }
 

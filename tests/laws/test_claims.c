@@ -435,8 +435,6 @@ static void test_bounds(void **state) {
     (void)state, for_all_laws(bounds);
 }
 
-/* An opening between two walks: the second is the first, bit by bit. Histories copied in mid-path to another bench: it
- * goes on as if it had been there. A look with dt = 0 finds the forces of the step and changes nothing. */
 /* Far beyond full slip friction is mu P: with a dashpot that doubles the normal force, P is what TR_ELASTIC_P says. */
 static void dashpot(int slot, const tr_law *law) {
     if (!law->step || slot != 1) return;
@@ -456,6 +454,8 @@ static void test_dashpot(void **state) {
     (void)state, for_all_laws(dashpot);
 }
 
+/* An opening between two walks: the second is the first, bit by bit. Histories copied in mid-path to another bench: it
+ * goes on as if it had been there. A look with dt = 0 finds the forces of the step and changes nothing. */
 static void memory(int slot, const tr_law *law) {
     set_up(&A, slot, law, false, SI);
     walk(&A, 1, 0, &F);

@@ -81,6 +81,12 @@ static int threads_now(void) {
     return n;
 }
 
+/* A thread that was joined may stay in /proc a little longer. */
+static void assert_threads(int wanted) {
+    for (int k = 0; k < 1000 && threads_now() != wanted; k++) usleep(1000);
+    assert_int_equal(threads_now(), wanted);
+}
+
 static void ffmpeg_is(const fixture *f, const char *script) {
     write_text(in_dir(f, "ffmpeg"), script);
     assert_int_equal(chmod(in_dir(f, "ffmpeg"), 0755), 0);
@@ -177,14 +183,14 @@ static void test_a_thread_for_each_processor(void **state) {
         if (one) one_processor(f);
         int n = one ? 1 : CPU_COUNT(&f->processors), before = threads_now();
         assert_true(tr_film_open(&f->film, f->dir, "x.mp4", 2, &f->report, &st));
-        assert_int_equal(threads_now(), before); /* none before there is a frame */
+        assert_threads(before); /* none before there is a frame */
         draw(f, f->film.canvas, 0);
         assert_true(tr_film_frame(&f->film, &st));
-        assert_int_equal(threads_now(), before + (n < 4 ? n : 4));
+        assert_threads(before + (n < 4 ? n : 4));
         assert_false(tr_film_close(&f->film, &st)); /* no film without ffmpeg */
         assert_int_equal(st.code, TR_OK);
         assert_int_equal(f->film.frames, 1);
-        assert_int_equal(threads_now(), before);
+        assert_threads(before);
     }
 }
 
