@@ -26,6 +26,7 @@ namespace {
 struct Share {
     std::vector<int> near; /* partners of the disk that is being queried */
     std::vector<int> a, b;
+    bool failed; /* out of memory, which must not leave a thread as an exception */
 };
 
 struct Box2d {
@@ -82,11 +83,23 @@ void *create(const tr_broad_input *input, tr_status *st) {
     }
 }
 
-/* Disks low to high - 1; false: out of memory, which must not leave a thread as an exception. */
-bool query(const Box2d &self, const tr_broad_input *input, const b2AABB &all, int low, int high, Share &share) {
+struct Job {
+    Box2d *self;
+    const tr_broad_input *input;
+    b2AABB all; /* of the boxes of all disks */
+};
+
+/* The queries of thread k. */
+void query(void *context, int k) {
+    const Job *job = static_cast<const Job *>(context);
+    const Box2d &self = *job->self;
+    const tr_broad_input *input = job->input;
+    Share &share = job->self->shares[static_cast<size_t>(k)];
+    int high = tr_threads_share(input->n, k + 1, input->threads);
     try {
+        share.failed = false;
         share.a.clear(), share.b.clear();
-        for (int a = low; a < high; a++) {
+        for (int a = tr_threads_share(input->n, k, input->threads); a < high; a++) {
             share.near.clear();
             Collect collect{&self, input, &share.near, a};
             const double *p = input->pos + 4 * static_cast<size_t>(a);
@@ -95,22 +108,21 @@ bool query(const Box2d &self, const tr_broad_input *input, const b2AABB &all, in
                 if (image == 4) continue; /* itself */
                 int column = image % 3 - 1, row = image / 3 - 1;
                 b2AABB box = self.box(p, input->skin, column * input->cell[0], row * input->cell[1]);
-                if (b2TestOverlap(box, all)) self.tree.Query(&collect, box);
+                if (b2TestOverlap(box, job->all)) self.tree.Query(&collect, box);
             }
             std::sort(share.near.begin(), share.near.end());
             share.a.insert(share.a.end(), share.near.size(), a);
             share.b.insert(share.b.end(), share.near.begin(), share.near.end());
         }
-        return true;
     } catch (const std::bad_alloc &) {
-        return false;
+        share.failed = true;
     }
 }
 
 bool find(void *finder, const tr_broad_input *input, tr_pairs *pairs, tr_status *st) {
     if (!tr_broad_check(input, st)) return false;
     auto *self = static_cast<Box2d *>(finder);
-    int n = input->threads, failed = 0;
+    int n = input->threads;
     size_t found = 0;
     pairs->n = 0;
     try {
@@ -123,13 +135,10 @@ bool find(void *finder, const tr_broad_input *input, tr_pairs *pairs, tr_status 
     }
     b2AABB all = input->n ? self->box(input->pos, 0) : b2AABB{};
     for (int i = 0; i < input->n; i++) all.Combine(self->tree.GetFatAABB(self->proxy[static_cast<size_t>(i)]));
-    TR_OMP(omp parallel for schedule(static, 1) reduction(+ : failed) if (n > 1))
-    for (int k = 0; k < n; k++) {
-        int low = static_cast<int>(static_cast<int64_t>(input->n) * k / n);
-        int high = static_cast<int>(static_cast<int64_t>(input->n) * (k + 1) / n);
-        failed += !query(*self, input, all, low, high, self->shares[static_cast<size_t>(k)]);
-    }
-    if (failed) return out_of_memory(input, st);
+    Job job{self, input, all};
+    tr_threads_run(n, query, &job);
+    for (const Share &s : self->shares)
+        if (s.failed) return out_of_memory(input, st);
     for (const Share &s : self->shares) found += s.a.size();
     if (!tr_pairs_reserve(pairs, found, st)) return false;
     for (const Share &s : self->shares) {

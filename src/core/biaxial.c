@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "core/biaxial.h"
 
+#include "base/vector.h"
 #include "core/cell.h"
 #include "core/contacts.h"
 #include "core/ledger.h"
@@ -146,12 +147,15 @@ static double stress(const tr_biaxial *b, int wall) {
                             : tr_cell_force(cell, axis) / cell->side[1 - axis];
 }
 
-static void drag(tr_biaxial *b) {
+TR_VECTOR static void drag(tr_biaxial *b) {
     const tr_disks *d = &b->world.disks;
-    const double flow[2] = {tr_cell_strain_rate(&b->world.cell, 0), tr_cell_strain_rate(&b->world.cell, 1)};
-    for (int i = 0; i < d->n; i++)
-        for (int axis = 0, k = 4 * i; axis < 2; axis++, k++)
-            d->force[k] -= b->drag * d->mass[i] * (d->vel[k] - flow[axis] * d->pos[k]);
+    const tr_quad flow = {tr_cell_strain_rate(&b->world.cell, 0), tr_cell_strain_rate(&b->world.cell, 1)};
+    const tr_quad *pos = (const tr_quad *)d->pos, *vel = (const tr_quad *)d->vel;
+    tr_quad *force = (tr_quad *)d->force;
+    for (int i = 0; i < d->n; i++) {
+        double c = b->drag * d->mass[i];
+        force[i] -= (tr_quad){c, c} * (vel[i] - flow * pos[i]); /* spins are free */
+    }
 }
 
 bool tr_biaxial_compact(tr_biaxial *b, int steps, double *unbalanced, bool *done, tr_status *st) {

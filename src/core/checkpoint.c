@@ -1,26 +1,21 @@
 /* SPDX-License-Identifier: MIT */
 #include "core/checkpoint.h"
 
-#include "base/alloc.h"
-#include "core/contacts.h"
+#include "core/list.h"
 
 static void keep_near(tr_pairs *near, tr_checkpoint *c) {
-    TR_KEEP(c, &near->n, 1);
-    if (c->st->code) return;
-    if (near->n > near->capacity) {
-        size_t n = (size_t)near->n;
-        if (!tr_alloc_grow(&near->a, 0, n, sizeof(int), c->st) || !tr_alloc_grow(&near->b, 0, n, sizeof(int), c->st))
-            return;
-        near->capacity = near->n;
-    }
-    TR_KEEP(c, near->a, near->n);
-    TR_KEEP(c, near->b, near->n);
+    int n = near->n;
+    TR_KEEP(c, &n, 1);
+    if (c->st->code || !tr_pairs_reserve(near, (size_t)n, c->st)) return;
+    near->n = n;
+    TR_KEEP(c, near->a, n);
+    TR_KEEP(c, near->b, n);
 }
 
 static void keep_group(tr_group *g, tr_checkpoint *c) {
     int n = g->n;
     TR_KEEP(c, &n, 1);
-    if (c->st->code || (n && !tr_contacts_reserve(g, n, c->st))) return;
+    if (c->st->code || (n && !tr_list_reserve(g, n, c->st))) return;
     g->n = n;
     TR_KEEP(c, g->a, n);
     TR_KEEP(c, g->b, n);

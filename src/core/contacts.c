@@ -8,90 +8,11 @@
 #include "base/alloc.h"
 #include "base/threads.h"
 #include "core/cell.h"
+#include "core/list.h"
 #include "core/timestep.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-enum { BEHIND = 3 }; /* gather reads four contacts at a time: valid ids behind the end of the list */
-
-bool tr_contacts_reserve(tr_group *g, int n, tr_status *st) {
-    if (n + BEHIND <= g->capacity) return true;
-    size_t now = (size_t)g->n, old = (size_t)g->old_n, grown = (size_t)n + (size_t)n / 4 + TR_TILE;
-    bool ok = tr_alloc_grow(&g->a, now, grown, sizeof(int), st) && tr_alloc_grow(&g->b, now, grown, sizeof(int), st) &&
-              tr_alloc_grow(&g->old_a, old, grown, sizeof(int), st) &&
-              tr_alloc_grow(&g->old_b, old, grown, sizeof(int), st);
-    for (int k = 0; ok && k < g->n_hist; k++)
-        ok = tr_alloc_grow(&g->hist[k], now, grown, sizeof(double), st) &&
-             tr_alloc_grow(&g->old_hist[k], old, grown, sizeof(double), st);
-    for (int k = 0; ok && k < g->n_pair; k++) ok = tr_alloc_grow(&g->pair[k], now, grown, sizeof(double), st);
-    if (ok) g->capacity = (int)grown;
-    return ok;
-}
-
-static void swap_ints(int **a, int **b) {
-    int *t = *a;
-    *a = *b, *b = t;
-}
-
-/* Keeps the present list as the old one and starts an empty new one. */
-static void group_begin(tr_group *g) {
-    swap_ints(&g->a, &g->old_a);
-    swap_ints(&g->b, &g->old_b);
-    for (int k = 0; k < g->n_hist; k++) {
-        double *h = g->old_hist[k];
-        g->old_hist[k] = g->hist[k], g->hist[k] = h;
-    }
-    g->old_n = g->n;
-    g->n = 0;
-}
-
-/* Number of the first contact of the old list that is not before (a, b). */
-static int old_from(const tr_group *g, int a, int b) {
-    int low = 0, high = g->old_n;
-    while (low < high) {
-        int mid = low + (high - low) / 2;
-        if (g->old_a[mid] < a || (g->old_a[mid] == a && g->old_b[mid] < b))
-            low = mid + 1;
-        else
-            high = mid;
-    }
-    return low;
-}
-
-/* Contact i is (a, b), in a cell with that image of b; *old walks the old list, which is sorted like the new one. */
-static void group_put(const tr_world *world, tr_group *g, int i, int a, int b, const double *image, int *old) {
-    g->a[i] = a, g->b[i] = b;
-    tr_pair_bodies bodies = tr_world_pair(world, g, a, b);
-    g->pair[0][i] = bodies.R1, g->pair[1][i] = bodies.R2;
-    g->pair[2][i] = g->walls ? 1 : bodies.R1 / (bodies.R1 + bodies.R2);
-    for (int k = 0; k < 2 && !g->walls && world->cell.side[0] > 0; k++) g->pair[3 + k][i] = image[k];
-    while (*old < g->old_n && (g->old_a[*old] < a || (g->old_a[*old] == a && g->old_b[*old] < b))) ++*old;
-    bool known = *old < g->old_n && g->old_a[*old] == a && g->old_b[*old] == b;
-    for (int k = 0; k < g->n_hist; k++) g->hist[k][i] = known ? g->old_hist[k][*old] : 0;
-}
-
-static void count_listed(const tr_world *world, int *z) {
-    const tr_group *g = world->group;
-    memset(z, 0, (size_t)world->disks.n * sizeof *z);
-    for (int i = 0; i < g[0].n; i++) z[g[0].a[i]]++, z[g[0].b[i]]++;
-    for (int i = 0; i < g[1].n; i++) z[g[1].b[i]]++;
-}
-
-/* When both lists are there: a body has no more contacts than are listed until the next refresh. */
-static void group_constants(const tr_world *world, tr_group *g, const int *z) {
-    for (int s = 0; s < TR_N_SLOTS; s++) {
-        const tr_slot *slot = &g->slot[s];
-        TR_OMP(omp parallel for schedule(static) if (tr_world_threads(world) > 1))
-        for (int i = 0; i < (slot->law->n_pair ? g->n : 0); i++) {
-            double constants[TR_MAX_PAIR];
-            tr_pair_bodies bodies = tr_world_pair(world, g, g->a[i], g->b[i]);
-            bodies.z1 = g->walls ? 1 : z[g->a[i]], bodies.z2 = z[g->b[i]];
-            slot->law->pair(slot->par, &bodies, constants);
-            for (int k = 0; k < slot->law->n_pair; k++) g->pair[slot->pair + k][i] = constants[k];
-        }
-    }
-}
 
 static void copy_centres(const tr_disks *d, double *ref) {
     for (int i = 0; i < d->n; i++) ref[2 * i] = d->pos[4 * i], ref[2 * i + 1] = d->pos[4 * i + 1];
@@ -125,10 +46,6 @@ static void name_contact(bool walls, int a, int b, char *text, size_t size) {
     snprintf(text, size, walls ? "contact of wall %d with disk %d" : "contact of disks %d and %d", a, b);
 }
 
-static bool is_crushed(double delta, double R1, double R2) {
-    return delta > TR_LARGEST_OVERLAP * fmin(R1, R2);
-}
-
 static bool fail_crushed(const tr_world *world, bool walls, int a, int b, double delta, double R, tr_status *st) {
     char which[96], what[160];
     name_contact(walls, a, b, which, sizeof which);
@@ -137,80 +54,88 @@ static bool fail_crushed(const tr_world *world, bool walls, int a, int b, double
 }
 
 /* Every disk and wall is looked at: n_walls n, at refreshes only. */
-static bool refresh_walls(tr_world *world, tr_status *st) {
-    const double no_image[2] = {0};
+static bool list_walls(tr_world *world, tr_status *st) {
     tr_group *g = &world->group[1];
-    int old = 0;
-    group_begin(g);
+    tr_list_begin(g);
     for (int w = 0; w < world->n_walls; w++)
         for (int i = 0; i < world->disks.n; i++) {
             const double *pos = world->disks.pos + 4 * (size_t)i;
             double delta = pos[3] - tr_contacts_wall_distance(&world->wall[w], pos);
             if (delta <= -world->thin_skin) continue;
-            if (is_crushed(delta, pos[3], pos[3])) return fail_crushed(world, true, w, i, delta, pos[3], st);
-            if (!tr_contacts_reserve(g, g->n + 1, st)) return false;
-            group_put(world, g, g->n++, w, i, no_image, &old);
+            if (delta > TR_LARGEST_OVERLAP * pos[3]) return fail_crushed(world, true, w, i, delta, pos[3], st);
+            if (!tr_list_reserve(g, g->n + 1, st)) return false;
+            g->a[g->n] = w, g->b[g->n++] = i;
         }
     return true;
 }
 
 /* A thread's share of `near`. */
 typedef struct share {
-    int low, high;
     int first, n; /* its contacts in the list */
-    int crushed;  /* the first pair with too large an overlap; -1: none */
+    int crushed;  /* the first pair with too large an overlap; near.n: none */
 } share;
 
-/* The overlap of pair i of `near`; image: as tr_cell_distance. */
-static double near_overlap(const tr_world *world, int i, double *image) {
-    const double *p = world->disks.pos + 4 * (size_t)world->near.a[i];
-    const double *q = world->disks.pos + 4 * (size_t)world->near.b[i];
-    return p[3] + q[3] - tr_cell_distance(&world->cell, p, q, image);
-}
+typedef struct pruning {
+    tr_world *world;
+    int threads;
+    share share[TR_MOST_THREADS];
+} pruning;
 
-static void count_share(const tr_world *world, share *s) {
-    int n = 0; /* not in *s, which shares its cache line with those of other threads */
-    for (int i = s->low; i < s->high; i++) n += near_overlap(world, i, NULL) > -world->thin_skin;
-    s->n = n;
-}
-
-static void list_share(const tr_world *world, tr_group *g, share *s) {
-    int to = s->first, old = s->low < s->high ? old_from(g, world->near.a[s->low], world->near.b[s->low]) : 0;
-    s->crushed = -1;
-    for (int i = s->low; i < s->high; i++) {
-        double image[2] = {0}, delta = near_overlap(world, i, image);
-        if (delta <= -world->thin_skin) continue;
-        int a = world->near.a[i], b = world->near.b[i];
-        group_put(world, g, to, a, b, image, &old);
-        if (is_crushed(delta, g->pair[0][to], g->pair[1][to]) && s->crushed < 0) s->crushed = i;
-        to++;
+/* Numbers of the pairs closer than the thin skin, from the place of the first pair of the share in world->picked. */
+static void pick(void *context, int k) {
+    pruning *p = context;
+    const tr_world *world = p->world;
+    const tr_pairs *near = &world->near;
+    const double *pos = world->disks.pos, *side = world->cell.side, skin = world->thin_skin;
+    int low = tr_threads_share(near->n, k, p->threads), high = tr_threads_share(near->n, k + 1, p->threads);
+    int to = low, crushed = near->n;
+    for (int i = low; i < high; i++) {
+        const double *one = pos + 4 * (size_t)near->a[i], *two = pos + 4 * (size_t)near->b[i];
+        double d[2] = {two[0] - one[0], two[1] - one[1]}, reach = one[3] + two[3];
+        for (int axis = 0; axis < 2 && side[axis] > 0; axis++)
+            d[axis] += side[axis] * tr_broad_image(one[axis], two[axis], side[axis]);
+        double square = d[0] * d[0] + d[1] * d[1], least = reach - TR_LARGEST_OVERLAP * fmin(one[3], two[3]);
+        world->picked[to] = i;
+        to += square < (reach + skin) * (reach + skin);
+        crushed = square < least * least && i < crushed ? i : crushed;
     }
-    s->n = to - s->first;
+    p->share[k].n = to - low, p->share[k].crushed = crushed;
 }
 
-/* Each thread lists a share of the pairs, behind the shares before it: they are counted first, where there is more than one. */
-static bool refresh_disks(tr_world *world, tr_status *st) {
+static void put(void *context, int k) {
+    const pruning *p = context;
+    const tr_pairs *near = &p->world->near;
+    const int *picked = p->world->picked + tr_threads_share(near->n, k, p->threads);
+    const share *s = &p->share[k];
+    tr_group *g = &p->world->group[0];
+    for (int i = 0; i < s->n; i++) g->a[s->first + i] = near->a[picked[i]], g->b[s->first + i] = near->b[picked[i]];
+}
+
+/* Each thread lists a share of the pairs, behind those of the shares before it. */
+static bool list_disks(tr_world *world, tr_status *st) {
     tr_group *g = &world->group[0];
-    share all[TR_MOST_THREADS] = {{0}};
-    int n = tr_world_threads(world), crushed = -1;
-    if (!tr_contacts_reserve(g, world->near.n, st)) return false;
-    group_begin(g);
-    for (int k = 0; k < n; k++) {
-        all[k].low = (int)((int64_t)world->near.n * k / n), all[k].high = (int)((int64_t)world->near.n * (k + 1) / n);
+    const tr_pairs *near = &world->near;
+    pruning p = {.world = world, .threads = tr_world_threads(world)};
+    int n = 0, crushed = near->n;
+    if (near->n > world->picks) {
+        if (!tr_alloc_grow(&world->picked, 0, (size_t)near->capacity, sizeof(int), st)) return false;
+        world->picks = near->capacity;
     }
-    TR_OMP(omp parallel for schedule(static, 1) if (n > 1))
-    for (int k = 0; k < n - 1; k++) count_share(world, &all[k]);
-    for (int k = 1; k < n; k++) all[k].first = all[k - 1].first + all[k - 1].n;
-    TR_OMP(omp parallel for schedule(static, 1) if (n > 1))
-    for (int k = 0; k < n; k++) list_share(world, g, &all[k]);
-    g->n = all[n - 1].first + all[n - 1].n;
-    for (int k = 0; k < n && crushed < 0; k++) crushed = all[k].crushed;
-    if (crushed >= 0) {
-        int a = world->near.a[crushed], b = world->near.b[crushed];
-        const double *p = world->disks.pos + 4 * (size_t)a, *q = world->disks.pos + 4 * (size_t)b;
-        return fail_crushed(world, false, a, b, near_overlap(world, crushed, NULL), fmin(p[3], q[3]), st);
+    tr_threads_run(p.threads, pick, &p);
+    for (int k = 0; k < p.threads; k++) {
+        p.share[k].first = n, n += p.share[k].n;
+        crushed = p.share[k].crushed < crushed ? p.share[k].crushed : crushed;
     }
-    for (int k = 0; k < BEHIND && g->capacity; k++) g->a[g->n + k] = g->b[g->n + k] = 0;
+    if (crushed < near->n) {
+        int a = near->a[crushed], b = near->b[crushed];
+        const double *one = world->disks.pos + 4 * (size_t)a, *two = world->disks.pos + 4 * (size_t)b;
+        double delta = one[3] + two[3] - tr_cell_distance(&world->cell, one, two, NULL);
+        return fail_crushed(world, false, a, b, delta, fmin(one[3], two[3]), st);
+    }
+    tr_list_begin(g);
+    if (!tr_list_reserve(g, n, st)) return false;
+    g->n = n;
+    tr_threads_run(p.threads, put, &p);
     return true;
 }
 
@@ -227,10 +152,11 @@ static bool check_finite(const tr_world *world, tr_status *st) {
     return true;
 }
 
-static bool check_step(const tr_world *world, tr_status *st) {
+static bool check_step(tr_world *world, tr_status *st) {
     char which[96], what[160];
+    if (world->allow_unstable || tr_timestep_sure(world)) return true;
     tr_timestep_limit limit = tr_timestep_contacts(world);
-    if (world->dt <= limit.dt || world->allow_unstable) return true;
+    if (world->dt <= limit.dt) return true;
     const tr_group *g = &world->group[limit.group];
     name_contact(g->walls, g->a[limit.contact], g->b[limit.contact], which, sizeof which);
     snprintf(what, sizeof what, "the step %.4g s is above the stability bound %.4g s", world->dt, limit.dt);
@@ -259,10 +185,9 @@ bool tr_contacts_refresh(tr_world *world, tr_status *st) {
     double moved = 2 * largest_move(&world->disks, world->wide_ref) + world->cell.moved[1];
     bool enough = world->searches > 0 && world->near.n && moved + world->thin_skin <= world->wide_skin;
     if (!enough && !search(world, st)) return false;
-    if (!refresh_disks(world, st) || !refresh_walls(world, st)) return false;
-    int *z = world->disks.coordination; /* which check_step counts anew */
-    count_listed(world, z);
-    for (int k = 0; k < 2; k++) group_constants(world, &world->group[k], z);
+    if (!list_disks(world, st) || !list_walls(world, st)) return false;
+    for (int k = 0; k < 2; k++) tr_list_carry(world, &world->group[k]);
+    tr_list_constants(world, world->disks.coordination); /* which check_step counts anew */
     copy_centres(&world->disks, world->thin_ref);
     world->wall_moved = world->cell.moved[0] = 0;
     world->stale = false;

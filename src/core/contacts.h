@@ -12,9 +12,6 @@
  * stability bound of the touching contacts (unless allow_unstable). Else TR_NUMERICAL naming disk, contact, step and time. */
 bool tr_contacts_refresh(tr_world *world, tr_status *st);
 
-/* Room for n contacts in the list, and in the old one; what they hold is kept, the rest is 0. */
-bool tr_contacts_reserve(tr_group *group, int n, tr_status *st);
-
 /* Distance of a disk's centre from a wall [m]. */
 static inline double tr_contacts_wall_distance(const tr_wall *wall, const double *pos) {
     return (pos[0] - wall->x) * wall->nx + (pos[1] - wall->y) * wall->ny;

@@ -77,46 +77,88 @@ tr_timestep_limit tr_timestep_contacts(const tr_world *world) {
     return limit;
 }
 
-/* As many contacts as fit around disk i: the smallest disks side by side, and no more bodies than there are. */
-static double most_contacts(const tr_world *world, int i, double r_min) {
-    double R = world->disks.pos[4 * (size_t)i + 3], kissing = floor(M_PI / asin(r_min / (R + r_min)) + 1e-9);
-    return fmin(kissing, world->disks.n - 1 + world->n_walls);
+/* As many contacts as fit around disk i: the smallest disks side by side, and no more bodies than there are. Where overlaps up to q
+ * of the smaller radius r are allowed: neighbours are no further away than R + r, their distances from it differ by q r or less, and that
+ * between them is 2r - q r or more, so that sin^2 of half the angle between them is ((2-q)^2 - q^2) r^2/(4 (R+r)^2) or more. */
+static double most_contacts(const tr_world *world, int i, double r_min, double q) {
+    double R = world->disks.pos[4 * (size_t)i + 3];
+    double fit = floor(M_PI / asin(sqrt(1 - q) * r_min / (R + r_min)) + 1e-9);
+    return fmin(fit, world->disks.n - 1 + world->n_walls);
 }
 
-static double pair_limit(const tr_world *world, int i, int j, double r_min) {
-    const tr_disks *d = &world->disks;
-    size_t a = 4 * (size_t)i, b = 4 * (size_t)j;
-    double za = most_contacts(world, i, r_min), zb = most_contacts(world, j, r_min);
+/* What packings may be like. */
+typedef struct packings {
+    double overlap; /* of the smaller radius, to expect of a contact */
+    double q;       /* the same, at most, for how many contacts fit */
+    double r_min;
+} packings;
+
+static share share_of(const tr_world *world, int i, const packings *p) {
+    const double *inv = world->disks.inv + 4 * (size_t)i;
+    double z = most_contacts(world, i, p->r_min, p->q);
+    return (share){z * inv[0], z * inv[2]};
+}
+
+static double pair_limit(const tr_world *world, int i, int j, const packings *p) {
     tr_pair_bodies bodies = tr_world_pair(world, &world->group[0], i, j);
-    bodies.delta = TR_EXPECTED_OVERLAP * fmin(bodies.R1, bodies.R2);
-    return contact_limit(&world->group[0], bodies, (share){za * d->inv[a], za * d->inv[a + 2]},
-                         (share){zb * d->inv[b], zb * d->inv[b + 2]});
+    bodies.delta = p->overlap * fmin(bodies.R1, bodies.R2);
+    return contact_limit(&world->group[0], bodies, share_of(world, i, p), share_of(world, j, p));
+}
+
+/* wall: the share of the wall that disk i touches. */
+static double wall_limit(const tr_world *world, int i, share wall, const packings *p) {
+    tr_pair_bodies bodies = tr_world_pair(world, &world->group[1], 0, i);
+    bodies.delta = p->overlap * bodies.R2;
+    return contact_limit(&world->group[1], bodies, wall, share_of(world, i, p));
+}
+
+static double smallest_radius(const tr_world *world, int *smallest, int *largest) {
+    const tr_disks *d = &world->disks;
+    *smallest = *largest = 0;
+    for (int i = 0; i < d->n; i++) {
+        if (d->pos[4 * (size_t)i + 3] < d->pos[4 * (size_t)*smallest + 3]) *smallest = i;
+        if (d->pos[4 * (size_t)i + 3] > d->pos[4 * (size_t)*largest + 3]) *largest = i;
+    }
+    return d->pos[4 * (size_t)*smallest + 3];
+}
+
+/* Each disk is paired with the smallest and the largest, and with all where there are no more than `few`. */
+static double all_limits(const tr_world *world, packings p, int few) {
+    const share rigid = {0, 0};
+    int n = world->disks.n, smallest, largest;
+    double bound = INFINITY;
+    p.r_min = smallest_radius(world, &smallest, &largest);
+    for (int i = 0; i < n; i++) {
+        if (n > 1) {
+            bound = fmin(bound, pair_limit(world, i, smallest, &p));
+            bound = fmin(bound, pair_limit(world, i, largest, &p));
+        }
+        for (int j = i + 1; j < n && n <= few; j++) bound = fmin(bound, pair_limit(world, i, j, &p));
+        if (world->n_walls) bound = fmin(bound, wall_limit(world, i, rigid, &p));
+    }
+    return bound;
 }
 
 double tr_timestep_worst(const tr_world *world) {
-    const int few = 1000; /* so many disks are paired with each other; more, only with the smallest and the largest */
-    const tr_disks *d = &world->disks;
-    double bound = INFINITY;
-    int smallest = 0, largest = 0;
-    for (int i = 0; i < d->n; i++) {
-        if (d->pos[4 * (size_t)i + 3] < d->pos[4 * (size_t)smallest + 3]) smallest = i;
-        if (d->pos[4 * (size_t)i + 3] > d->pos[4 * (size_t)largest + 3]) largest = i;
+    return all_limits(world, (packings){.overlap = TR_EXPECTED_OVERLAP}, 1000);
+}
+
+bool tr_timestep_sure(tr_world *world) {
+    packings p = {.overlap = TR_LARGEST_OVERLAP, .q = TR_LARGEST_OVERLAP};
+    const tr_group *g = &world->group[1];
+    int z[TR_MAX_WALLS] = {0}, smallest, largest;
+    if (world->sure_dt == 0) world->sure_dt = all_limits(world, p, 0);
+    if (world->dt > world->sure_dt) return false;
+    bool pistons = false;
+    for (int w = 0; w < world->n_walls; w++) pistons = pistons || world->wall[w].mass > 0;
+    if (!pistons) return true;
+    p.r_min = smallest_radius(world, &smallest, &largest);
+    for (int i = 0; i < g->n; i++) z[g->a[i]]++;
+    for (int i = 0; i < g->n; i++) {
+        double mass = world->wall[g->a[i]].mass;
+        if (mass > 0 && world->dt > wall_limit(world, g->b[i], (share){z[g->a[i]] / mass, 0}, &p)) return false;
     }
-    double r_min = d->pos[4 * (size_t)smallest + 3];
-    for (int i = 0; i < d->n; i++) {
-        if (d->n > 1) {
-            bound = fmin(bound, pair_limit(world, i, smallest, r_min));
-            bound = fmin(bound, pair_limit(world, i, largest, r_min));
-        }
-        for (int j = i + 1; j < d->n && d->n <= few; j++) bound = fmin(bound, pair_limit(world, i, j, r_min));
-        if (!world->n_walls) continue;
-        double z = most_contacts(world, i, r_min), R = d->pos[4 * (size_t)i + 3];
-        tr_pair_bodies wall = tr_world_pair(world, &world->group[1], 0, i);
-        wall.delta = TR_EXPECTED_OVERLAP * R;
-        share own = {z * d->inv[4 * (size_t)i], z * d->inv[4 * (size_t)i + 2]};
-        bound = fmin(bound, contact_limit(&world->group[1], wall, (share){0, 0}, own));
-    }
-    return bound;
+    return true;
 }
 
 bool tr_timestep_choose(tr_world *world, const tr_scene_step *step, double fallback, double *bound, tr_status *st) {

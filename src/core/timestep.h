@@ -37,6 +37,10 @@ tr_timestep_limit tr_timestep_contacts(const tr_world *world);
  * (and no more bodies than there are). For choosing dt before the contacts are known [s]. */
 double tr_timestep_worst(const tr_world *world);
 
+/* dt is stable in whatever contacts the disks may have with overlaps up to TR_LARGEST_OVERLAP, and in those that pistons have:
+ * nobody needs to look at contacts. */
+bool tr_timestep_sure(tr_world *world);
+
 #define TR_MOST_STEPS 1e12 /* of one run; 1e6 steps take seconds for 400 disks */
 
 /* Sets world->dt: the step given, or safety * *bound with *bound = tr_timestep_worst, or `fallback` if nothing can

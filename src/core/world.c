@@ -6,6 +6,7 @@
 #include "core/arcs.h"
 #include "core/contacts.h"
 #include "core/ledger.h"
+#include "core/shares.h"
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
@@ -31,8 +32,8 @@ bool tr_world_init(tr_world *world, int n, tr_shape shape, tr_status *st) {
 }
 
 static void group_free(tr_group *g) {
-    free(g->a), free(g->b), free(g->old_a), free(g->old_b);
-    for (int k = 0; k < TR_GROUP_HIST; k++) free(g->hist[k]), free(g->old_hist[k]);
+    free(g->a), free(g->b), free(g->old_a), free(g->old_b), free(g->source), free(g->spare);
+    for (int k = 0; k < TR_GROUP_HIST; k++) free(g->hist[k]);
     for (int k = 0; k < TR_GROUP_PAIR; k++) free(g->pair[k]);
     *g = (tr_group){.walls = g->walls};
 }
@@ -41,7 +42,8 @@ void tr_world_free(tr_world *world) {
     tr_disks *d = &world->disks;
     free(d->pos), free(d->vel), free(d->force), free(d->inv), free(d->load), free(d->mass);
     free(d->coordination);
-    free(world->wide_ref), free(world->thin_ref), free(world->ledger), free(world->tile), free(world->result);
+    free(world->wide_ref), free(world->thin_ref), free(world->ledger), free(world->tile), free(world->picked);
+    tr_shares_free(world->shares);
     group_free(&world->group[0]), group_free(&world->group[1]);
     if (world->finder) world->broad->destroy(world->finder);
     tr_pairs_free(&world->near);
@@ -117,6 +119,7 @@ bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool sm
     world->thin_skin = fmin(THIN_SKIN * sum / world->disks.n, TR_LARGEST_OVERLAP * r_min);
     world->rolling_velocity = contact->rolling_velocity;
     world->stale = world->fresh = true;
+    world->sure_dt = 0;
     world->near.n = 0;
     memset(world->tile, 0, sizeof *world->tile); /* lanes that no pass of the new pipeline writes are 0 */
     free(world->ledger);
@@ -173,10 +176,10 @@ size_t tr_world_bytes(const tr_world *world) {
     if (world->disks.load) bytes += (size_t)world->disks.n * 4 * sizeof(double);
     for (int k = 0; k < 2; k++) {
         const tr_group *g = &world->group[k];
-        bytes += (size_t)g->capacity * (4 * sizeof(int) + (size_t)(2 * g->n_hist + g->n_pair) * sizeof(double));
+        bytes += (size_t)g->capacity * (5 * sizeof(int) + (size_t)(1 + g->n_hist + g->n_pair) * sizeof(double));
     }
-    bytes += (size_t)world->results * sizeof *world->result;
-    return bytes + (size_t)world->near.capacity * 2 * sizeof(int);
+    bytes += tr_shares_bytes(world->shares, world->disks.n);
+    return bytes + ((size_t)world->near.capacity * 2 + (size_t)world->picks) * sizeof(int);
 }
 
 int tr_world_histories(const tr_world *world) {

@@ -18,7 +18,7 @@
  *
  * PERIODIC CELL. Where there is one, disk b of a pair stands for its nearest image; see cell.h.
  *
- * THREADS share the tiles of a large sample, and no bit depends on their number; see step.c.
+ * THREADS share the tiles of a large sample, and no bit depends on their number; see shares.h.
  *
  * Two worlds may run side by side: there are no globals. A step allocates nothing, except when a refresh finds more
  * contacts than ever before.
@@ -80,6 +80,7 @@ typedef struct tr_slot {
 typedef struct tr_group tr_group;
 typedef struct tr_ledger tr_ledger;
 typedef struct tr_paths tr_paths;
+typedef struct tr_shares tr_shares;
 
 /* A sink reads finished tiles, and may keep histories of its own that follow the ids. */
 typedef struct tr_sink {
@@ -116,8 +117,9 @@ struct tr_group {
     const tr_sink *increments_sink;             /* NULL: not attached */
     tr_pass pass[TR_MAX_PASSES];
     int n_pass;
-    int old_n, *old_a, *old_b; /* the list before a refresh, while histories are carried over */
-    double *old_hist[TR_GROUP_HIST];
+    /* while a list is renewed, see list.h: the one before, where each contact stood in it (-1: nowhere), an array to spare */
+    int old_n, *old_a, *old_b, *source;
+    double *spare;
 };
 
 /* Energy by mechanism; see ledger.h. */
@@ -128,16 +130,10 @@ struct tr_ledger {
     double wall_fx[TR_MAX_WALLS], wall_fy[TR_MAX_WALLS], cell_force[2]; /* of the step before */
 };
 
-/* What a tile of disks gives, for the threads to add up; see step.c. */
-typedef struct tr_result {
-    tr_lane fx, fy, q1, q2;
-    double virial[2], lost[3]; /* lost: of the ledger */
-    int touching, last;        /* contacts; greatest number of a disk */
-} tr_result;
-
 typedef struct tr_world {
     tr_shape shape;          /* of all bodies */
     double dt;               /* [s]; set by the driver, see timestep.h */
+    double sure_dt;          /* stable in all packings of these disks [s]; 0: not known yet. See tr_timestep_sure */
     bool allow_unstable;     /* do not fail when dt is above the bound of the contacts */
     int64_t steps;           /* taken so far; time = steps * dt */
     int64_t contact_updates; /* touching contacts, summed over the steps */
@@ -149,12 +145,12 @@ typedef struct tr_world {
     tr_group group[2];     /* disk-disk, wall-disk */
     tr_ledger *ledger;     /* NULL: not kept */
     tr_tile *tile;         /* one, reused; allocated apart because its lanes are aligned */
-    tr_result *result;     /* of each tile of disks, where threads share the work; how many there is room for */
-    int results;
+    tr_shares *shares;     /* of the threads; NULL: one does the work. See shares.h */
     /* pair finding */
     const tr_broad_finder *broad;
     void *finder;
     tr_pairs near;
+    int *picked, picks;          /* which of `near` are listed, while that is found out; how many there is room for */
     double wide_skin, thin_skin; /* [m] */
     double *wide_ref, *thin_ref; /* n*2: centres at the last search, at the last refresh [m] */
     double wall_moved;           /* how far any wall has moved since the last refresh, at most [m] */

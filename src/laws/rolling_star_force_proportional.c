@@ -82,6 +82,7 @@ const tr_law tr_rolling_star_force_proportional = {
                "at w_p = 0 what stops the spin within the step",
     .differs = "Eq. 3275 is printed without the minus. Neither objective nor balanced, as documented by its source.",
     .claims = TR_RATE_INDEPENDENT | TR_ENERGY_CLOSED,
+    .needs = TR_NEEDS_Z,
     .n_hist = 2,
     .n_pair = 3,
     .pair = pair,

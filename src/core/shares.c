@@ -1,0 +1,197 @@
+/* SPDX-License-Identifier: MIT */
+#include "core/shares.h"
+
+#include "base/alloc.h"
+#include "base/threads.h"
+#include "base/vector.h"
+#include "core/cell.h"
+#include "core/tile.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* What a tile adds to the sums over all. */
+typedef struct sums {
+    double virial[2], lost[3]; /* lost: of the ledger */
+    int touching;
+    bool mixed; /* the tile has disks of an earlier thread */
+} sums;
+
+/* A part of the force on a disk that waits for its turn. */
+typedef struct late {
+    tr_quad force;
+    int disk;
+} late;
+
+typedef struct part {
+    tr_tile tile;
+    late *late;
+    int n_late, capacity;
+} part;
+
+struct tr_shares {
+    int threads, tiles; /* that the rest is for */
+    int64_t list;       /* and the number of the list */
+    uint16_t *owner;    /* of each disk the first thread that has a contact of it */
+    sums *sums;         /* of each tile */
+    int n_sums;         /* how many there is room for */
+    part *part;         /* of each thread */
+    double dt;          /* of this step */
+};
+
+void tr_shares_free(tr_shares *s) {
+    if (!s) return;
+    for (int k = 0; k < s->threads; k++) free(s->part[k].late);
+    free(s->owner), free(s->sums), free(s->part), free(s);
+}
+
+size_t tr_shares_bytes(const tr_shares *s, int n) {
+    if (!s) return 0;
+    size_t bytes = sizeof *s + (size_t)n * sizeof *s->owner + (size_t)s->n_sums * sizeof *s->sums;
+    for (int k = 0; k < s->threads; k++) bytes += sizeof *s->part + (size_t)s->part[k].capacity * sizeof(late);
+    return bytes;
+}
+
+/* ---- who owns what */
+
+static int end_of(const tr_group *g, int tile) {
+    int end = (tile + 1) * TR_TILE;
+    return end < g->n ? end : g->n;
+}
+
+/* The parts that come late are counted, and there is room for them before a step needs it. */
+static bool mark(tr_shares *s, const tr_group *g, int k, tr_status *st) {
+    part *p = &s->part[k];
+    int n = 0;
+    for (int tile = tr_threads_share(s->tiles, k, s->threads); tile < tr_threads_share(s->tiles, k + 1, s->threads);
+         tile++) {
+        int before = n;
+        for (int i = tile * TR_TILE; i < end_of(g, tile); i++) n += (s->owner[g->a[i]] < k) + (s->owner[g->b[i]] < k);
+        s->sums[tile].mixed = n > before;
+    }
+    if (n <= p->capacity) return true;
+    if (!tr_alloc_grow(&p->late, 0, 2 * (size_t)n, sizeof(late), st)) return false;
+    p->capacity = 2 * n;
+    return true;
+}
+
+static bool assign(tr_shares *s, const tr_group *g, tr_status *st) {
+    for (int k = s->threads - 1; k >= 0; k--) {
+        int end = tr_threads_share(s->tiles, k + 1, s->threads) * TR_TILE;
+        for (int i = tr_threads_share(s->tiles, k, s->threads) * TR_TILE; i < end && i < g->n; i++)
+            s->owner[g->a[i]] = s->owner[g->b[i]] = (uint16_t)k;
+    }
+    for (int k = 1; k < s->threads; k++)
+        if (!mark(s, g, k, st)) return false;
+    return true;
+}
+
+static tr_shares *create(int n, int threads, tr_status *st) {
+    tr_shares *s = tr_alloc(1, sizeof *s, st);
+    if (!s) return NULL;
+    s->list = -1;
+    if ((s->owner = tr_alloc((size_t)n, sizeof *s->owner, st)) &&
+        (s->part = tr_alloc((size_t)threads, sizeof *s->part, st))) {
+        s->threads = threads;
+        return s;
+    }
+    tr_shares_free(s);
+    return NULL;
+}
+
+static bool prepare(tr_world *world, tr_status *st) {
+    const tr_group *g = &world->group[0];
+    int threads = tr_world_threads(world);
+    if (world->shares && world->shares->threads != threads) tr_shares_free(world->shares), world->shares = NULL;
+    if (!world->shares && !(world->shares = create(world->disks.n, threads, st))) return false;
+    tr_shares *s = world->shares;
+    if (s->list == world->refreshes) return true;
+    s->list = -1;
+    s->tiles = (g->n + TR_TILE - 1) / TR_TILE;
+    if (s->tiles > s->n_sums) {
+        int room = g->capacity / TR_TILE + 1;
+        if (!tr_alloc_grow(&s->sums, 0, (size_t)room, sizeof(sums), st)) return false;
+        s->n_sums = room;
+    }
+    if (!assign(s, g, st)) return false;
+    s->list = world->refreshes;
+    return true;
+}
+
+/* ---- the step */
+
+static void run_passes(tr_world *world, tr_tile *tile, int first, sums *to) {
+    tr_group *g = &world->group[0];
+    tr_ledger lost = {.damped = 0};
+    tr_sink sink = g->ledger_sink;
+    sink.ledger = &lost;
+    tr_tile_gather(world, g, tile, first, world->shares->dt);
+    for (int k = 0; k < g->n_pass; k++) {
+        tr_law_data data = g->pass[k].data;
+        if (data.par == &g->ledger_sink) data.par = &sink;
+        g->pass[k].run(tile, &data);
+    }
+    tr_periodic_cell cell = {0};
+    if (world->cell.side[0] > 0) tr_cell_add_virial(&cell, tile);
+    *to =
+        (sums){{cell.virial[0], cell.virial[1]}, {lost.damped, lost.friction, lost.rolling}, tile->touching, to->mixed};
+}
+
+/* As tr_tile_scatter, with what belongs to an earlier thread kept. */
+static void scatter_mixed(tr_world *world, part *p, int k) {
+    const tr_group *g = &world->group[0];
+    const tr_tile *tile = &p->tile;
+    const uint16_t *owner = world->shares->owner;
+    tr_quad *force = (tr_quad *)world->disks.force;
+    for (int i = 0; i < tile->n; i++) {
+        int disk[2] = {g->a[tile->first + i], g->b[tile->first + i]};
+        const tr_quad part[2] = {{-tile->fx[i], -tile->fy[i], tile->q1[i], 0},
+                                 {tile->fx[i], tile->fy[i], tile->q2[i], 0}};
+        for (int side = 0; side < 2; side++) {
+            if (owner[disk[side]] == k)
+                force[disk[side]] += part[side];
+            else
+                p->late[p->n_late++] = (late){part[side], disk[side]};
+        }
+    }
+}
+
+static void begin(void *context, int k) {
+    const tr_world *world = context;
+    int n = world->disks.n, threads = world->shares->threads;
+    tr_tile_begin(&world->disks, tr_threads_share(n, k, threads), tr_threads_share(n, k + 1, threads));
+}
+
+static void work(void *context, int k) {
+    tr_world *world = context;
+    tr_shares *s = world->shares;
+    part *p = &s->part[k];
+    int end = tr_threads_share(s->tiles, k + 1, s->threads);
+    p->n_late = 0;
+    for (int tile = tr_threads_share(s->tiles, k, s->threads); tile < end; tile++) {
+        run_passes(world, &p->tile, tile * TR_TILE, &s->sums[tile]);
+        if (s->sums[tile].mixed)
+            scatter_mixed(world, p, k);
+        else
+            tr_tile_scatter(&p->tile, &world->group[0], world);
+    }
+}
+
+bool tr_shares_forces(tr_world *world, double dt, tr_status *st) {
+    if (!prepare(world, st)) return false;
+    tr_shares *s = world->shares;
+    tr_quad *force = (tr_quad *)world->disks.force;
+    s->dt = dt;
+    tr_threads_run(s->threads, begin, world);
+    tr_threads_run(s->threads, work, world);
+    for (int k = 0; k < s->threads; k++)
+        for (const late *l = s->part[k].late, *end = l + s->part[k].n_late; l < end; l++) force[l->disk] += l->force;
+    for (int tile = 0; tile < s->tiles; tile++) {
+        const sums *t = &s->sums[tile];
+        world->contact_updates += t->touching;
+        for (int axis = 0; axis < 2; axis++) world->cell.virial[axis] += t->virial[axis];
+        if (!world->ledger) continue;
+        world->ledger->damped += t->lost[0], world->ledger->friction += t->lost[1],
+            world->ledger->rolling += t->lost[2];
+    }
+    return true;
+}
