@@ -106,7 +106,8 @@ bool tr_biaxial_init(tr_biaxial *b, const tr_scene *scene, tr_status *st) {
     double dense = sqrt(b->disk_area * 1.2), row = b->mean_mass * fmax(1, dense / (2 * b->mean_radius));
     double v_max = 0.5 * dense * scene->compaction.inertial_number * sqrt(scene->compaction.pressure / b->mean_mass);
     tr_wall walls[4] = {{.ny = 1}, {.y = side, .ny = -1}, {.nx = 1}, {.x = side, .nx = -1}};
-    b->world.n_walls = scene->boundary == TR_PERIODIC ? 0 : 4;
+    b->world.boxed = scene->boundary != TR_PERIODIC;
+    b->world.n_walls = b->world.boxed ? 4 : 0;
     for (int w = 0; w < b->world.n_walls; w++) {
         walls[w].mass = row, walls[w].v_max = v_max;
         b->world.wall[w] = walls[w];

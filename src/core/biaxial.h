@@ -27,8 +27,6 @@
 
 #include "core/world.h"
 
-enum { TR_BOTTOM_WALL, TR_TOP_WALL, TR_LEFT_WALL, TR_RIGHT_WALL };
-
 typedef struct tr_biaxial {
     tr_world world; /* do not move: see tr_world */
     const tr_scene *scene;

@@ -4,9 +4,7 @@
 #include "base/vector.h"
 
 double tr_cell_least_side(const tr_world *world) {
-    double r_max = 0;
-    for (int i = 0; i < world->disks.n; i++) r_max = fmax(r_max, world->disks.pos[4 * (size_t)i + 3]);
-    return 2 * (2 * r_max + world->wide_skin);
+    return 2 * (2 * world->r_max + world->wide_skin);
 }
 
 bool tr_cell_check(const tr_world *world, tr_status *st) {
@@ -31,7 +29,7 @@ void tr_cell_wrap(tr_world *world) {
             if (n == 0) continue;
             *x += n * c->side[axis];
             d->vel[4 * (size_t)i + (size_t)axis] += n * c->rate[axis];
-            world->wide_ref[2 * (size_t)i + (size_t)axis] += n * c->side[axis];
+            world->wide_ref[2 * (size_t)i + (size_t)axis] += n * world->wide_frame.side[axis];
         }
 }
 
@@ -52,8 +50,6 @@ void tr_cell_advance(tr_world *world) {
         }
     }
     for (int k = 0; k < 2; k++) c->side[k] += world->dt * c->rate[k];
-    double moved = world->dt * hypot(c->rate[0], c->rate[1]);
-    c->moved[0] += moved, c->moved[1] += moved;
 }
 
 TR_VECTOR void tr_cell_shift(const tr_periodic_cell *cell, const tr_group *g, tr_tile *restrict tile) {

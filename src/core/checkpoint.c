@@ -38,6 +38,8 @@ void tr_world_checkpoint(tr_world *world, tr_checkpoint *c) {
     TR_KEEP(c, &world->wall_moved, 1);
     TR_KEEP(c, world->wide_ref, 2 * d->n);
     TR_KEEP(c, world->thin_ref, 2 * d->n);
+    TR_KEEP(c, &world->wide_frame, 1);
+    TR_KEEP(c, &world->thin_frame, 1);
     keep_near(&world->near, c);
     for (int k = 0; k < 2; k++) keep_group(&world->group[k], c);
     if (world->ledger) TR_KEEP(c, world->ledger, 1);

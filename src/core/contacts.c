@@ -8,6 +8,7 @@
 #include "base/alloc.h"
 #include "base/threads.h"
 #include "core/cell.h"
+#include "core/frame.h"
 #include "core/list.h"
 #include "core/timestep.h"
 #include <math.h>
@@ -18,20 +19,30 @@ static void copy_centres(const tr_disks *d, double *ref) {
     for (int i = 0; i < d->n; i++) ref[2 * i] = d->pos[4 * i], ref[2 * i + 1] = d->pos[4 * i + 1];
 }
 
-static double largest_move(const tr_disks *d, const double *ref) {
+/* Of what stretches with the frame. */
+static double largest_move(const tr_disks *d, const double *ref, const tr_stretch *s) {
     double largest = 0;
     for (int i = 0; i < d->n; i++) {
-        double dx = d->pos[4 * i] - ref[2 * i], dy = d->pos[4 * i + 1] - ref[2 * i + 1];
+        double dx = d->pos[4 * i] - (s->scale[0] * ref[2 * i] + s->offset[0]);
+        double dy = d->pos[4 * i + 1] - (s->scale[1] * ref[2 * i + 1] + s->offset[1]);
         double square = dx * dx + dy * dy;
         largest = square > largest ? square : largest;
     }
     return sqrt(largest);
 }
 
+/* Whether `near` still holds all pairs within the thin skin. */
+static bool is_near_whole(const tr_world *world, const tr_frame *now) {
+    if (!world->searches || !world->near.n) return false;
+    tr_stretch s = tr_frame_stretch(&world->wide_frame, now);
+    double reach = tr_frame_reach(world, &s, world->wide_skin, world->thin_skin);
+    return largest_move(&world->disks, world->wide_ref, &s) <= reach;
+}
+
 static bool search(tr_world *world, tr_status *st) {
     const double *cell = world->cell.side[0] > 0 ? world->cell.side : NULL;
     tr_broad_input input = {world->disks.n, world->disks.pos, world->wide_skin, cell, tr_world_threads(world)};
-    world->cell.moved[1] = 0;
+    world->wide_frame = tr_frame_now(world);
     copy_centres(&world->disks, world->wide_ref);
     world->searches++;
     return world->broad->find(world->finder, &input, &world->near, st);
@@ -182,14 +193,14 @@ bool tr_contacts_refresh(tr_world *world, tr_status *st) {
     if (!check_finite(world, st) || !check_leap(world, st)) return false;
     if (!tr_cell_check(world, st)) return false;
     tr_cell_wrap(world);
-    double moved = 2 * largest_move(&world->disks, world->wide_ref) + world->cell.moved[1];
-    bool enough = world->searches > 0 && world->near.n && moved + world->thin_skin <= world->wide_skin;
-    if (!enough && !search(world, st)) return false;
+    tr_frame now = tr_frame_now(world);
+    if (!is_near_whole(world, &now) && !search(world, st)) return false;
     if (!list_disks(world, st) || !list_walls(world, st)) return false;
     for (int k = 0; k < 2; k++) tr_list_carry(world, &world->group[k]);
     tr_list_constants(world, world->disks.coordination); /* which check_step counts anew */
     copy_centres(&world->disks, world->thin_ref);
-    world->wall_moved = world->cell.moved[0] = 0;
+    world->thin_frame = now;
+    world->wall_moved = 0;
     world->stale = false;
     world->refreshes++;
     return check_step(world, st);

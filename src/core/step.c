@@ -5,6 +5,7 @@
 #include "base/vector.h"
 #include "core/cell.h"
 #include "core/contacts.h"
+#include "core/frame.h"
 #include "core/shares.h"
 #include "core/tile.h"
 #include <math.h>
@@ -64,11 +65,13 @@ TR_VECTOR static void kick_and_drift(int lanes, double dt, double *restrict pos,
     }
 }
 
-/* How many centres are further than `reach` from where they were; NaN counts as gone. */
-TR_VECTOR static int count_moved(int n, double reach, const double *restrict pos, const double *restrict ref) {
+/* How many centres are further than `reach` from where the stretch leads; NaN counts as gone. */
+TR_VECTOR static int count_moved(int n, double reach, const tr_stretch *s, const double *restrict pos,
+                                 const double *restrict ref) {
+    const double sx = s->scale[0], sy = s->scale[1], ox = s->offset[0], oy = s->offset[1];
     int moved = 0;
     for (int i = 0; i < n; i++) {
-        double dx = pos[4 * i] - ref[2 * i], dy = pos[4 * i + 1] - ref[2 * i + 1];
+        double dx = pos[4 * i] - (sx * ref[2 * i] + ox), dy = pos[4 * i + 1] - (sy * ref[2 * i + 1] + oy);
         moved += !(dx * dx + dy * dy <= reach * reach);
     }
     return moved;
@@ -88,13 +91,14 @@ static void move_walls(tr_world *world) {
         wall->x += world->dt * wall->vx, wall->y += world->dt * wall->vy;
         fastest = fmax(fastest, fabs(wall->vx * wall->nx + wall->vy * wall->ny));
     }
-    world->wall_moved += world->dt * fastest;
+    if (!world->boxed) world->wall_moved += world->dt * fastest;
 }
 
 typedef struct motion {
     tr_world *world;
     int threads;
     double reach;
+    tr_stretch stretch;
 } motion;
 
 /* Block by block, so that a disk is still near when it is looked at. */
@@ -107,18 +111,19 @@ static void advance_disks(void *context, int k) {
         int n = high - first < BLOCK ? high - first : BLOCK;
         size_t at = 4 * (size_t)first;
         kick_and_drift(4 * n, m->world->dt, d->pos + at, d->vel + at, d->force + at, d->inv + at);
-        moved += count_moved(n, m->reach, d->pos + at, m->world->thin_ref + at / 2);
+        moved += count_moved(n, m->reach, &m->stretch, d->pos + at, m->world->thin_ref + at / 2);
     }
     if (moved) __atomic_store_n(&m->world->stale, true, __ATOMIC_RELAXED);
 }
 
 void tr_step_advance(tr_world *world) {
     if (world->cell.side[0] > 0) tr_cell_advance(world);
-    /* Two bodies that approach each other move half the skin each, less what the image of one has moved besides. */
-    double reach = (world->thin_skin - world->cell.moved[0]) / 2;
-    motion m = {world, tr_world_threads(world), reach};
-    tr_threads_run(m.threads, advance_disks, &m);
     move_walls(world);
+    tr_frame now = tr_frame_now(world);
+    motion m = {
+        .world = world, .threads = tr_world_threads(world), .stretch = tr_frame_stretch(&world->thin_frame, &now)};
+    m.reach = tr_frame_reach(world, &m.stretch, world->thin_skin, 0);
+    tr_threads_run(m.threads, advance_disks, &m);
     world->steps++;
-    if (!(reach >= world->wall_moved)) world->stale = true;
+    if (!(m.reach >= world->wall_moved)) world->stale = true; /* also where it is negative */
 }

@@ -111,9 +111,10 @@ static void group_choose(tr_group *g, const tr_scene_contact *contact, bool norm
 bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool smooth_walls, unsigned sinks,
                        tr_status *st) {
     double sum = 0, r_min = INFINITY;
+    world->r_max = 0;
     for (int i = 0; i < world->disks.n; i++) {
         double R = world->disks.pos[4 * (size_t)i + 3];
-        sum += 2 * R, r_min = fmin(r_min, R);
+        sum += 2 * R, r_min = fmin(r_min, R), world->r_max = fmax(world->r_max, R);
     }
     world->wide_skin = WIDE_SKIN * sum / world->disks.n;
     world->thin_skin = fmin(THIN_SKIN * sum / world->disks.n, TR_LARGEST_OVERLAP * r_min);

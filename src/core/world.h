@@ -67,8 +67,15 @@ typedef struct tr_periodic_cell {
     double load[2];   /* what pushes the piston inward [N/m] */
     double v_max[2];  /* largest |rate| of a piston [m/s] */
     double virial[2]; /* sum over the contacts of force on b times (b - a), compression positive [N] */
-    double moved[2];  /* how far the images have moved, at most, since the last refresh and since the last search [m] */
 } tr_periodic_cell;
+
+/* The walls of a box, by number. */
+enum { TR_BOTTOM_WALL, TR_TOP_WALL, TR_LEFT_WALL, TR_RIGHT_WALL };
+
+/* Middle and sides of the rectangle that the disks are in [m]; see frame.h. */
+typedef struct tr_frame {
+    double x[2], side[2];
+} tr_frame;
 
 /* A law at work: its row, its parameters, and where its arrays start in the group. law->step == NULL: nothing to do. */
 typedef struct tr_slot {
@@ -140,6 +147,7 @@ typedef struct tr_world {
     tr_disks disks;
     tr_wall wall[TR_MAX_WALLS];
     int n_walls;
+    bool boxed;            /* the walls are those of a box */
     tr_periodic_cell cell; /* set before the laws */
     int rolling_velocity;  /* index into tr_rolling_velocities */
     tr_group group[2];     /* disk-disk, wall-disk */
@@ -152,10 +160,12 @@ typedef struct tr_world {
     tr_pairs near;
     int *picked, picks;          /* which of `near` are listed, while that is found out; how many there is room for */
     double wide_skin, thin_skin; /* [m] */
+    double r_max;                /* the largest radius [m] */
     double *wide_ref, *thin_ref; /* n*2: centres at the last search, at the last refresh [m] */
-    double wall_moved;           /* how far any wall has moved since the last refresh, at most [m] */
-    bool fresh;                  /* laws were just set: nothing has moved since the histories were zero */
-    bool stale;                  /* the list no longer holds every pair that may touch */
+    tr_frame wide_frame, thin_frame; /* the same of the frame */
+    double wall_moved; /* how far any wall, but those of a box, has moved since the last refresh, at most [m] */
+    bool fresh;        /* laws were just set: nothing has moved since the histories were zero */
+    bool stale;        /* the list no longer holds every pair that may touch */
     int64_t searches, refreshes;
 } tr_world;
 

@@ -41,7 +41,7 @@ static void make_rim(tr_biaxial *b) {
         v[0] = 0.3 * b->rate * (q[0] - x), v[1] = -b->rate * (q[1] - y), v[2] = 0;
         tr_world_set_disk(world, i, q[0], q[1], 0, q[3], b->scene->sample.density, near < 2 * b->mean_radius);
     }
-    world->n_walls = 0;
+    world->n_walls = 0, world->boxed = false;
 }
 
 /* Velocity k of disk i at the time of its position. */

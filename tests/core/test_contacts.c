@@ -97,6 +97,73 @@ static void test_approach_from_far_is_seen(void **state) {
         }
 }
 
+/* What stretches with its box or its cell: 144 disks, held, follow the walls, and do not quite where `astray`, in radii, is
+ * above 0. Rows come closer until they overlap by 0.1 R: gaps that were within the thin skin, beyond it, beyond the wide one. */
+static void stretch(bool periodic, double rows, double astray) {
+    enum { ROW = 12, N = ROW * ROW, TIMES = 400 };
+    const double R = 1e-3, pitch[2] = {2.2 * R, rows * R}, dt = 1e-3, time = TIMES * dt;
+    const double side[2] = {ROW * pitch[0], ROW * pitch[1]};
+    const double shrinks = log(1.9 / rows) / time, rate[2] = {-0.5 * shrinks, shrinks};
+    tr_random random = tr_random_seed(5, 1);
+    tr_world w;
+    new_world(&w, N);
+    double u[2 * N];
+    for (int i = 0; i < N; i++) {
+        double x = (i % ROW + 0.5) * pitch[0] - side[0] / 2, y = (i / ROW + 0.5) * pitch[1] - side[1] / 2;
+        tr_world_set_disk(&w, i, x, y, 0, R, 1000, true);
+        for (int k = 0; k < 2; k++) u[2 * i + k] = astray * R / time * (2 * tr_random_uniform(&random) - 1);
+    }
+    if (periodic) w.cell = (tr_periodic_cell){.side = {side[0], side[1]}};
+    for (int v = 0; v < 4 && !periodic; v++) {
+        double sign = v % 2 ? 1 : -1, at = sign * side[v < 2] / 2;
+        w.wall[w.n_walls++] = v < 2 ? (tr_wall){.y = at, .ny = -sign} : (tr_wall){.x = at, .nx = -sign};
+    }
+    w.boxed = !periodic;
+    set_laws(&w, normal_spring, 0);
+    w.dt = dt, w.allow_unstable = true;
+    int touched[2] = {0};
+    for (int k = 0; k < TIMES; k++) {
+        for (int i = 0; i < N; i++) {
+            const double *p = w.disks.pos + 4 * i;
+            set_velocity(&w, i, rate[0] * p[0] + u[2 * i], rate[1] * p[1] + u[2 * i + 1], 0);
+        }
+        for (int axis = 0; periodic && axis < 2; axis++) w.cell.rate[axis] = rate[axis] * w.cell.side[axis];
+        for (int v = 0; v < w.n_walls; v++) w.wall[v].vx = rate[0] * w.wall[v].x, w.wall[v].vy = rate[1] * w.wall[v].y;
+        forces(&w);
+        for (int i = 0; i < N; i++) {
+            const double *p = w.disks.pos + 4 * i;
+            for (int j = i + 1; j < N; j++) {
+                const double *q = w.disks.pos + 4 * j;
+                double dx = q[0] - p[0], dy = q[1] - p[1];
+                if (periodic) dx = remainder(dx, w.cell.side[0]), dy = remainder(dy, w.cell.side[1]);
+                if (dx * dx + dy * dy >= 4 * R * R) continue;
+                touched[0]++;
+                if (listed(&w.group[0], i, j) < 0) fail_msg("step %d: disks %d and %d touch, not listed", k, i, j);
+            }
+            for (int v = 0; v < w.n_walls; v++) {
+                const tr_wall *s = &w.wall[v];
+                if ((p[0] - s->x) * s->nx + (p[1] - s->y) * s->ny >= R) continue;
+                touched[1]++;
+                if (listed(&w.group[1], v, i) < 0) fail_msg("step %d: wall %d and disk %d touch, not listed", k, v, i);
+            }
+        }
+        tr_step_advance(&w);
+    }
+    assert_true(touched[0] > 10 * N && (periodic || touched[1] > 10 * ROW));
+    /* A list lasts until disks have come closer by the skin, not until one at a wall has moved half of it: there are 1/ROW
+     * as many. Half as many again, for the thin skin must fit into what is left of the wide one. */
+    double closer = (rows - 1.9) * R, lists = closer / w.thin_skin, searches = closer / (w.wide_skin - w.thin_skin);
+    if (astray == 0) assert_true((double)w.refreshes < 2 + 1.5 * lists && (double)w.searches < 2 + 1.5 * searches);
+    tr_world_free(&w);
+}
+
+static void test_what_stretches_is_seen(void **state) {
+    (void)state;
+    static const double rows[] = {2.04, 2.1, 2.3, 2.605, 2.61, 2.615, 2.62, 2.7};
+    for (int periodic = 0; periodic < 2; periodic++)
+        for (int k = 0; k < 16; k++) stretch(periodic, rows[k / 2], k % 2 * 0.05);
+}
+
 /* ---- histories */
 
 /* Disk 2 slides over disk 7, and disk 4 along wall 1, while 0, 1 and 3 come and go, so that the places of these pairs
@@ -322,11 +389,17 @@ static void test_records_are_the_forces(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_no_touching_pair_is_missed),  cmocka_unit_test(test_approach_from_far_is_seen),
-        cmocka_unit_test(test_histories_follow_their_pair), cmocka_unit_test(test_histories_survive_growth),
-        cmocka_unit_test(test_skins_do_not_matter),         cmocka_unit_test(test_finders_give_the_same_bits),
-        cmocka_unit_test(test_two_worlds_side_by_side),     cmocka_unit_test(test_seeds),
-        cmocka_unit_test(test_looking_changes_nothing),     cmocka_unit_test(test_records_are_the_forces),
+        cmocka_unit_test(test_no_touching_pair_is_missed),
+        cmocka_unit_test(test_approach_from_far_is_seen),
+        cmocka_unit_test(test_what_stretches_is_seen),
+        cmocka_unit_test(test_histories_follow_their_pair),
+        cmocka_unit_test(test_histories_survive_growth),
+        cmocka_unit_test(test_skins_do_not_matter),
+        cmocka_unit_test(test_finders_give_the_same_bits),
+        cmocka_unit_test(test_two_worlds_side_by_side),
+        cmocka_unit_test(test_seeds),
+        cmocka_unit_test(test_looking_changes_nothing),
+        cmocka_unit_test(test_records_are_the_forces),
     };
     return cmocka_run_group_tests_name("contacts", tests, NULL, NULL);
 }
