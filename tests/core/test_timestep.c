@@ -350,6 +350,31 @@ static void test_step_above_the_bound_is_named(void **state) {
     tr_world_free(&w);
 }
 
+/* A step that is stable in any packing of the disks: pistons are looked at all the same. m is the disk's mass, M the piston's; the disk
+ * has one contact, and in any packing of two bodies no more. */
+static void test_a_light_piston_is_named(void **state) {
+    (void)state;
+    for (int light = 0; light < 2; light++) {
+        tr_world w;
+        new_world(&w, 1);
+        tr_world_set_disk(&w, 0, 0, 0, 0, 0.01, 1000, false);
+        double m = w.disks.mass[0], M = light ? m / 9 : 9 * m;
+        w.wall[0] = (tr_wall){.x = -0.00999, .nx = 1, .mass = M}, w.n_walls = 1;
+        set_laws(&w, normal_only, 0);
+        double held = tr_timestep_worst(&w), bound = 2 / sqrt(normal_only.k_n * (1 / m + 1 / M));
+        assert_close(held, 2 / sqrt(normal_only.k_n / m), 1e-12, 0);
+        w.dt = 0.5 * held;
+        if (light) {
+            assert_true(w.dt > bound);
+            expect_failure(&w, TR_NUMERICAL, (const char *[]){"wall 0 with disk 0", "stability bound", NULL});
+        } else {
+            forces(&w);
+            assert_true(w.dt <= w.sure_dt && tr_timestep_sure(&w));
+        }
+        tr_world_free(&w);
+    }
+}
+
 static void test_not_finite_is_named(void **state) {
     (void)state;
     for (int lane = 0; lane < 3; lane++)
@@ -401,6 +426,7 @@ int main(void) {
         cmocka_unit_test(test_leapfrog_on_a_chain),
         cmocka_unit_test(test_leapfrog_on_a_packing),
         cmocka_unit_test(test_step_above_the_bound_is_named),
+        cmocka_unit_test(test_a_light_piston_is_named),
         cmocka_unit_test(test_not_finite_is_named),
         cmocka_unit_test(test_not_finite_in_the_search_is_named),
         cmocka_unit_test(test_overlap_is_named),

@@ -434,6 +434,27 @@ static void test_compact(void **state) {
     assert_true(with < 1e-3 * w0);
 }
 
+/* The share of a body's inertia that a contact has follows the number of its contacts, also where the contact is an old one: disk 2
+ * comes to disk 1, and leaves it. */
+static void test_shares_follow_the_contacts(void **state) {
+    (void)state;
+    tr_world w;
+    new_world(&w, 3);
+    for (int i = 0; i < 3; i++) tr_world_set_disk(&w, i, 1.99 * RADIUS * i + (i == 2), 0, 0, RADIUS, DENSITY, false);
+    set_star(&w, 0.5, (star){.name = "star-force-proportional", .mu_r = 0.1}, 0);
+    w.dt = 1e-7;
+    for (int k = 0; k < 3; k++) {
+        w.disks.pos[4 * 2] = 1.99 * RADIUS * 2 + (k != 1), w.stale = true;
+        forces(&w);
+        const tr_group *g = &w.group[0];
+        int i = listed(g, 0, 1), of_law = g->slot[TR_ROLLING].pair;
+        assert_int_equal(g->n, k == 1 ? 2 : 1);
+        assert_close(g->pair[of_law][i], inertia(), 1e-15, 0);
+        assert_close(g->pair[of_law + 1][i], inertia() / (k == 1 ? 2 : 1), 1e-15, 0);
+    }
+    tr_world_free(&w);
+}
+
 /* ---- records: an unbalanced law's mobilisation is that of its larger moment */
 
 static void test_record(void **state) {
@@ -466,6 +487,7 @@ int main(void) {
         cmocka_unit_test(test_on_a_turning_disk),
         cmocka_unit_test(test_moment_limiter),
         cmocka_unit_test(test_compact),
+        cmocka_unit_test(test_shares_follow_the_contacts),
         cmocka_unit_test(test_record),
     };
     return cmocka_run_group_tests_name("star", tests, NULL, NULL);
