@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Two skins. `near` holds every pair closer than the wide skin at the last search; while no centre has moved further
- * than (wide - thin)/2 since, it still holds every pair closer than the thin skin, and the list of the step is pruned
- * from it. The list stays complete until a centre has moved thin/2 (tr_step_advance watches that). In a sheared sample
- * 40 % of the pairs of a wide list do not touch: the thin one is what makes the contact loop short. */
+/* Two skins. `near` holds every pair closer than the wide skin at the last search; while disks have not moved too far since, it still
+ * holds every pair closer than the thin skin, and the list of the step is pruned from it. The list stays complete until a disk
+ * has moved too far for the thin skin (tr_step_advance watches that). How far, less what the whole sample is stretched: frame.h.
+ * In a sheared sample 40 % of the pairs of a wide list do not touch: the thin one is what makes the contact loop short. */
 #include "core/contacts.h"
 
 #include "base/alloc.h"
