@@ -54,8 +54,8 @@ void tr_canvas_free(tr_canvas *canvas);
 /* The pixels, row by row from the top, 4 bytes each: blue, green, red, unused. */
 const unsigned char *tr_canvas_pixels(const tr_canvas *canvas);
 
-/* Two halves, the work and the file: the PNG of what the canvas shows goes to its memory, then to path.part, which is renamed to
- * path. On failure TR_FILE: path is as it was, no part is left. */
+/* Two halves, the work and the file: what the canvas shows is compressed in its memory, then written to path.part, which is renamed
+ * to path. On failure TR_FILE: path is as it was, no part is left. */
 bool tr_canvas_encode(tr_canvas *canvas, tr_status *st);
 bool tr_canvas_write(const tr_canvas *canvas, const char *path, tr_status *st);
 

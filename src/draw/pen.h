@@ -11,8 +11,8 @@
 struct tr_canvas {
     cairo_surface_t *surface;
     cairo_t *cr;
-    char *png; /* of what tr_canvas_encode saw */
-    size_t png_size;
+    unsigned char *rows, *packed; /* of what tr_canvas_encode saw: the rows of the PNG, and those compressed */
+    size_t n_packed;
 };
 
 typedef enum tr_align { TR_LEFT, TR_CENTRE, TR_RIGHT } tr_align;
