@@ -11,8 +11,7 @@
 struct tr_canvas {
     cairo_surface_t *surface;
     cairo_t *cr;
-    unsigned char *rows, *packed; /* of what tr_canvas_encode saw: the rows of the PNG, and those compressed */
-    size_t n_packed;
+    struct tr_png *png; /* of what tr_canvas_encode saw */
 };
 
 typedef enum tr_align { TR_LEFT, TR_CENTRE, TR_RIGHT } tr_align;

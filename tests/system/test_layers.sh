@@ -89,7 +89,7 @@ mutable_globals() {
 }
 
 check 'folders include only what is below them' is_silent forbidden_includes
-check 'Cairo, libpng and libdeflate only in draw/' is_silent library 'cairo|png\.h|pango|deflate' draw
+check 'Cairo, libpng and ISA-L only in draw/' is_silent library 'cairo|png\.h|pango|isa-l' draw
 check 'Box2D only in broad/' is_silent library 'box2d|b2_' broad
 check 'YAML and muParser only in scene/' is_silent library 'yaml|muParser' scene
 check 'jansson only in out/' is_silent library 'jansson' out
@@ -129,7 +129,7 @@ check 'noticed: laws include patch' broken 'folders include only what is below t
 check 'noticed: patch includes laws' broken 'folders include only what is below them' patch/carter.c '#include "laws/law.h"'
 check 'noticed: out includes draw' broken 'folders include only what is below them' out/table.h '  #  include "draw/draw.h"'
 check 'noticed: a path that goes up' broken 'folders include only what is below them' base/alloc.c '#include "../core/world.h"'
-check 'noticed: Cairo in out' broken 'Cairo, libpng and libdeflate only in draw/' out/dir.c '#include <cairo.h>'
+check 'noticed: Cairo in out' broken 'Cairo, libpng and ISA-L only in draw/' out/dir.c '#include <cairo.h>'
 check 'noticed: Box2D in core' broken 'Box2D only in broad/' core/step.c '#include <box2d/box2d.h>'
 check 'noticed: YAML in study' broken 'YAML and muParser only in scene/' study/run.c '#include <yaml.h>'
 check 'noticed: jansson in core' broken 'jansson only in out/' core/step.c '#include <jansson.h>'
