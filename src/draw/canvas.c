@@ -83,19 +83,33 @@ struct tr_png {
     unsigned char rows[BYTES], packed[BYTES + BYTES / 1000 + 100], level[ISAL_DEF_LVL2_DEFAULT];
 };
 
-bool tr_canvas_encode(tr_canvas *canvas, tr_status *st) {
-    if (!sound(canvas, st)) return false;
-    if (!canvas->png) canvas->png = tr_alloc(1, sizeof *canvas->png, st);
-    struct tr_png *png = canvas->png;
-    if (!png) return false;
-    set_rows(png->rows, tr_canvas_pixels(canvas));
+#ifdef __x86_64__
+/* ISA-L leaves the upper halves of the vector registers in use; until they are given up, the SSE code of Cairo takes a tenth longer. */
+__attribute__((target("avx"))) static void give_up_upper_halves(void) {
+    __builtin_ia32_vzeroupper();
+}
+#endif
+
+static bool compress(struct tr_png *png) {
     struct isal_zstream *z = &png->stream;
     isal_deflate_stateless_init(z);
     z->gzip_flag = IGZIP_ZLIB, z->end_of_stream = 1;
     z->level = 2, z->level_buf = png->level, z->level_buf_size = sizeof png->level;
     z->next_in = png->rows, z->avail_in = sizeof png->rows;
     z->next_out = png->packed, z->avail_out = sizeof png->packed;
-    return isal_deflate_stateless(z) == COMP_OK || tr_status_fail(st, TR_FILE, "error: cannot compress a picture");
+    int code = isal_deflate_stateless(z);
+#ifdef __x86_64__
+    if (__builtin_cpu_supports("avx")) give_up_upper_halves();
+#endif
+    return code == COMP_OK;
+}
+
+bool tr_canvas_encode(tr_canvas *canvas, tr_status *st) {
+    if (!sound(canvas, st)) return false;
+    if (!canvas->png) canvas->png = tr_alloc(1, sizeof *canvas->png, st);
+    if (!canvas->png) return false;
+    set_rows(canvas->png->rows, tr_canvas_pixels(canvas));
+    return compress(canvas->png) || tr_status_fail(st, TR_FILE, "error: cannot compress a picture");
 }
 
 static void png_silent(png_structp png, png_const_charp message) {
