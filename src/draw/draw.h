@@ -45,7 +45,7 @@ typedef struct tr_canvas tr_canvas;
 /* NULL and TR_FILE when memory is short. Free with tr_canvas_free (NULL is allowed). */
 tr_canvas *tr_canvas_create(tr_status *st);
 
-/* A canvas without pixels, which only keeps the strokes: a twentieth of the time of drawing. To replay gives the pixels that drawing
+/* A canvas without pixels, which only keeps the strokes: a tenth of the time of drawing. To replay gives the pixels that drawing
  * would have given, later and by any thread: what the view pointed to may be gone. It is for one picture, and for nothing but to be replayed. */
 tr_canvas *tr_canvas_record(tr_status *st);
 bool tr_canvas_replay(tr_canvas *canvas, const tr_canvas *strokes, tr_status *st);
