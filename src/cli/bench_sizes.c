@@ -24,7 +24,7 @@ static void write_all(const tr_bench_size *r, int n, FILE *csv) {
     double disks[N], us[N];
     int fitted = 0;
     printf(
-        "a cycle of each in turn, from one search of all pairs to the next; medians of %d (of 3 above 100000 disks)\n",
+        "a cycle of each in turn, from one search of all pairs to the next; medians of %d (above 100000 disks: one)\n",
         TR_BENCH_CYCLES);
     printf("%8s %11s %7s %16s %10s %8s %8s %8s %6s\n", "disks", "us per", "ns per", "quartiles", "touching", "steps",
            "lists", "rebuild", "bytes");

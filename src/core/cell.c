@@ -29,7 +29,7 @@ void tr_cell_wrap(tr_world *world) {
             if (n == 0) continue;
             *x += n * c->side[axis];
             d->vel[4 * (size_t)i + (size_t)axis] += n * c->rate[axis];
-            world->wide_ref[2 * (size_t)i + (size_t)axis] += n * world->wide_frame.side[axis];
+            world->wide_ref[2 * (size_t)i + (size_t)axis] += n * world->wide_extent.side[axis];
         }
 }
 

@@ -2,6 +2,7 @@
 #include "core/checkpoint.h"
 
 #include "core/list.h"
+#include "core/shares.h"
 
 static void keep_near(tr_pairs *near, tr_checkpoint *c) {
     int n = near->n;
@@ -25,6 +26,7 @@ static void keep_group(tr_group *g, tr_checkpoint *c) {
 
 void tr_world_checkpoint(tr_world *world, tr_checkpoint *c) {
     tr_disks *d = &world->disks;
+    if (c->loading) tr_shares_free(world->shares), world->shares = NULL; /* which are of another list */
     TR_KEEP(c, d->pos, 4 * d->n);
     TR_KEEP(c, d->vel, 4 * d->n);
     TR_KEEP(c, world->wall, world->n_walls);
@@ -38,8 +40,8 @@ void tr_world_checkpoint(tr_world *world, tr_checkpoint *c) {
     TR_KEEP(c, &world->wall_moved, 1);
     TR_KEEP(c, world->wide_ref, 2 * d->n);
     TR_KEEP(c, world->thin_ref, 2 * d->n);
-    TR_KEEP(c, &world->wide_frame, 1);
-    TR_KEEP(c, &world->thin_frame, 1);
+    TR_KEEP(c, &world->wide_extent, 1);
+    TR_KEEP(c, &world->thin_extent, 1);
     keep_near(&world->near, c);
     for (int k = 0; k < 2; k++) keep_group(&world->group[k], c);
     if (world->ledger) TR_KEEP(c, world->ledger, 1);

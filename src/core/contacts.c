@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /* Two skins. `near` holds every pair closer than the wide skin at the last search; while disks have not moved too far since, it still
  * holds every pair closer than the thin skin, and the list of the step is pruned from it. The list stays complete until a disk
- * has moved too far for the thin skin (tr_step_advance watches that). How far, less what the whole sample is stretched: frame.h.
+ * has moved too far for the thin skin (tr_step_advance watches that). How far, less what the whole sample is stretched: stretch.h.
  * In a sheared sample 40 % of the pairs of a wide list do not touch: the thin one is what makes the contact loop short. */
 #include "core/contacts.h"
 
 #include "base/alloc.h"
 #include "base/threads.h"
 #include "core/cell.h"
-#include "core/frame.h"
+#include "core/stretch.h"
 #include "core/list.h"
 #include "core/timestep.h"
 #include <math.h>
@@ -19,7 +19,7 @@ static void copy_centres(const tr_disks *d, double *ref) {
     for (int i = 0; i < d->n; i++) ref[2 * i] = d->pos[4 * i], ref[2 * i + 1] = d->pos[4 * i + 1];
 }
 
-/* Of what stretches with the frame. */
+/* Less the stretch. */
 static double largest_move(const tr_disks *d, const double *ref, const tr_stretch *s) {
     double largest = 0;
     for (int i = 0; i < d->n; i++) {
@@ -32,17 +32,17 @@ static double largest_move(const tr_disks *d, const double *ref, const tr_stretc
 }
 
 /* Whether `near` still holds all pairs within the thin skin. */
-static bool is_near_whole(const tr_world *world, const tr_frame *now) {
+static bool is_near_whole(const tr_world *world, const tr_extent *now) {
     if (!world->searches || !world->near.n) return false;
-    tr_stretch s = tr_frame_stretch(&world->wide_frame, now);
-    double reach = tr_frame_reach(world, &s, world->wide_skin, world->thin_skin);
+    tr_stretch s = tr_stretch_of(&world->wide_extent, now);
+    double reach = tr_stretch_reach(world, &s, world->wide_skin, world->thin_skin);
     return largest_move(&world->disks, world->wide_ref, &s) <= reach;
 }
 
 static bool search(tr_world *world, tr_status *st) {
     const double *cell = world->cell.side[0] > 0 ? world->cell.side : NULL;
     tr_broad_input input = {world->disks.n, world->disks.pos, world->wide_skin, cell, tr_world_threads(world)};
-    world->wide_frame = tr_frame_now(world);
+    world->wide_extent = tr_stretch_extent(world);
     copy_centres(&world->disks, world->wide_ref);
     world->searches++;
     return world->broad->find(world->finder, &input, &world->near, st);
@@ -64,16 +64,27 @@ static bool fail_crushed(const tr_world *world, bool walls, int a, int b, double
     return fail_at(world, st, what, which);
 }
 
+static double wall_overlap(const tr_world *world, int wall, int i) {
+    const double *pos = world->disks.pos + 4 * (size_t)i;
+    return pos[3] - tr_contacts_wall_distance(&world->wall[wall], pos);
+}
+
 /* Every disk and wall is looked at: n_walls n, at refreshes only. */
+static bool check_walls(const tr_world *world, tr_status *st) {
+    for (int w = 0; w < world->n_walls; w++)
+        for (int i = 0; i < world->disks.n; i++) {
+            double R = world->disks.pos[4 * (size_t)i + 3], delta = wall_overlap(world, w, i);
+            if (delta > TR_LARGEST_OVERLAP * R) return fail_crushed(world, true, w, i, delta, R, st);
+        }
+    return true;
+}
+
 static bool list_walls(tr_world *world, tr_status *st) {
     tr_group *g = &world->group[1];
     tr_list_begin(g);
     for (int w = 0; w < world->n_walls; w++)
         for (int i = 0; i < world->disks.n; i++) {
-            const double *pos = world->disks.pos + 4 * (size_t)i;
-            double delta = pos[3] - tr_contacts_wall_distance(&world->wall[w], pos);
-            if (delta <= -world->thin_skin) continue;
-            if (delta > TR_LARGEST_OVERLAP * pos[3]) return fail_crushed(world, true, w, i, delta, pos[3], st);
+            if (wall_overlap(world, w, i) <= -world->thin_skin) continue;
             if (!tr_list_reserve(g, g->n + 1, st)) return false;
             g->a[g->n] = w, g->b[g->n++] = i;
         }
@@ -122,31 +133,33 @@ static void put(void *context, int k) {
     for (int i = 0; i < s->n; i++) g->a[s->first + i] = near->a[picked[i]], g->b[s->first + i] = near->b[picked[i]];
 }
 
-/* Each thread lists a share of the pairs, behind those of the shares before it. */
-static bool list_disks(tr_world *world, tr_status *st) {
-    tr_group *g = &world->group[0];
+/* What is too deep is found before anything of the list changes. */
+static bool pick_disks(pruning *p, tr_status *st) {
+    tr_world *world = p->world;
     const tr_pairs *near = &world->near;
-    pruning p = {.world = world, .threads = tr_world_threads(world)};
-    int n = 0, crushed = near->n;
+    int crushed = near->n;
     if (near->n > world->picks) {
         if (!tr_alloc_grow(&world->picked, 0, (size_t)near->capacity, sizeof(int), st)) return false;
         world->picks = near->capacity;
     }
-    tr_threads_run(p.threads, pick, &p);
-    for (int k = 0; k < p.threads; k++) {
-        p.share[k].first = n, n += p.share[k].n;
-        crushed = p.share[k].crushed < crushed ? p.share[k].crushed : crushed;
-    }
-    if (crushed < near->n) {
-        int a = near->a[crushed], b = near->b[crushed];
-        const double *one = world->disks.pos + 4 * (size_t)a, *two = world->disks.pos + 4 * (size_t)b;
-        double delta = one[3] + two[3] - tr_cell_distance(&world->cell, one, two, NULL);
-        return fail_crushed(world, false, a, b, delta, fmin(one[3], two[3]), st);
-    }
+    tr_threads_run(p->threads, pick, p);
+    for (int k = 0; k < p->threads; k++) crushed = p->share[k].crushed < crushed ? p->share[k].crushed : crushed;
+    if (crushed == near->n) return true;
+    int a = near->a[crushed], b = near->b[crushed];
+    const double *one = world->disks.pos + 4 * (size_t)a, *two = world->disks.pos + 4 * (size_t)b;
+    double delta = one[3] + two[3] - tr_cell_distance(&world->cell, one, two, NULL);
+    return fail_crushed(world, false, a, b, delta, fmin(one[3], two[3]), st);
+}
+
+/* Each thread lists what it has picked, behind those before it. */
+static bool list_disks(pruning *p, tr_status *st) {
+    tr_group *g = &p->world->group[0];
+    int n = 0;
+    for (int k = 0; k < p->threads; k++) p->share[k].first = n, n += p->share[k].n;
     tr_list_begin(g);
     if (!tr_list_reserve(g, n, st)) return false;
     g->n = n;
-    tr_threads_run(p.threads, put, &p);
+    tr_threads_run(p->threads, put, p);
     return true;
 }
 
@@ -193,13 +206,16 @@ bool tr_contacts_refresh(tr_world *world, tr_status *st) {
     if (!check_finite(world, st) || !check_leap(world, st)) return false;
     if (!tr_cell_check(world, st)) return false;
     tr_cell_wrap(world);
-    tr_frame now = tr_frame_now(world);
+    tr_extent now = tr_stretch_extent(world);
     if (!is_near_whole(world, &now) && !search(world, st)) return false;
-    if (!list_disks(world, st) || !list_walls(world, st)) return false;
+    pruning p;
+    p.world = world, p.threads = tr_world_threads(world);
+    if (!pick_disks(&p, st) || !check_walls(world, st)) return false;
+    if (!list_disks(&p, st) || !list_walls(world, st)) return false;
     for (int k = 0; k < 2; k++) tr_list_carry(world, &world->group[k]);
-    tr_list_constants(world, world->disks.coordination); /* which check_step counts anew */
+    tr_list_constants(world, world->disks.coordination);
     copy_centres(&world->disks, world->thin_ref);
-    world->thin_frame = now;
+    world->thin_extent = now;
     world->wall_moved = 0;
     world->stale = false;
     world->refreshes++;

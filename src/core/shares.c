@@ -80,7 +80,7 @@ static bool assign(tr_shares *s, const tr_group *g, tr_status *st) {
         for (int i = tr_threads_share(s->tiles, k, s->threads) * TR_TILE; i < end && i < g->n; i++)
             s->owner[g->a[i]] = s->owner[g->b[i]] = (uint16_t)k;
     }
-    for (int k = 1; k < s->threads; k++)
+    for (int k = 0; k < s->threads; k++)
         if (!mark(s, g, k, st)) return false;
     return true;
 }

@@ -5,7 +5,7 @@
 #include "base/vector.h"
 #include "core/cell.h"
 #include "core/contacts.h"
-#include "core/frame.h"
+#include "core/stretch.h"
 #include "core/shares.h"
 #include "core/tile.h"
 #include <math.h>
@@ -119,10 +119,10 @@ static void advance_disks(void *context, int k) {
 void tr_step_advance(tr_world *world) {
     if (world->cell.side[0] > 0) tr_cell_advance(world);
     move_walls(world);
-    tr_frame now = tr_frame_now(world);
+    tr_extent now = tr_stretch_extent(world);
     motion m = {
-        .world = world, .threads = tr_world_threads(world), .stretch = tr_frame_stretch(&world->thin_frame, &now)};
-    m.reach = tr_frame_reach(world, &m.stretch, world->thin_skin, 0);
+        .world = world, .threads = tr_world_threads(world), .stretch = tr_stretch_of(&world->thin_extent, &now)};
+    m.reach = tr_stretch_reach(world, &m.stretch, world->thin_skin, 0);
     tr_threads_run(m.threads, advance_disks, &m);
     world->steps++;
     if (!(m.reach >= world->wall_moved)) world->stale = true; /* also where it is negative */

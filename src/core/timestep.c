@@ -83,6 +83,7 @@ tr_timestep_limit tr_timestep_contacts(const tr_world *world) {
 static double most_contacts(const tr_world *world, int i, double r_min, double q) {
     double R = world->disks.pos[4 * (size_t)i + 3];
     double fit = floor(M_PI / asin(sqrt(1 - q) * r_min / (R + r_min)) + 1e-9);
+    if (q > 0 && !world->boxed) fit += world->n_walls; /* which may be in one place */
     return fmin(fit, world->disks.n - 1 + world->n_walls);
 }
 
@@ -143,11 +144,22 @@ double tr_timestep_worst(const tr_world *world) {
     return all_limits(world, (packings){.overlap = TR_EXPECTED_OVERLAP}, 1000);
 }
 
+/* One density, and all free: of such the smallest and the largest disks make the stiffest pairs with any other. */
+static bool are_alike(const tr_world *world) {
+    const tr_disks *d = &world->disks;
+    double first = d->mass[0] / pow(d->pos[3], world->shape == TR_SHAPE_SPHERE ? 3 : 2);
+    for (int i = 0; i < d->n; i++) {
+        double density = d->mass[i] / pow(d->pos[4 * i + 3], world->shape == TR_SHAPE_SPHERE ? 3 : 2);
+        if (d->inv[4 * i] == 0 || d->inv[4 * i + 2] == 0 || fabs(density / first - 1) > 1e-9) return false;
+    }
+    return true;
+}
+
 bool tr_timestep_sure(tr_world *world) {
     packings p = {.overlap = TR_LARGEST_OVERLAP, .q = TR_LARGEST_OVERLAP};
     const tr_group *g = &world->group[1];
     int z[TR_MAX_WALLS] = {0}, smallest, largest;
-    if (world->sure_dt == 0) world->sure_dt = all_limits(world, p, 0);
+    if (world->sure_dt == 0) world->sure_dt = all_limits(world, p, are_alike(world) ? 0 : 1000);
     if (world->dt > world->sure_dt) return false;
     bool pistons = false;
     for (int w = 0; w < world->n_walls; w++) pistons = pistons || world->wall[w].mass > 0;

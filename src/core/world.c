@@ -121,6 +121,7 @@ bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool sm
     world->rolling_velocity = contact->rolling_velocity;
     world->stale = world->fresh = true;
     world->sure_dt = 0;
+    tr_shares_free(world->shares), world->shares = NULL; /* lanes again */
     world->near.n = 0;
     memset(world->tile, 0, sizeof *world->tile); /* lanes that no pass of the new pipeline writes are 0 */
     free(world->ledger);

@@ -44,7 +44,7 @@ typedef struct tr_disks {
     double *pos, *vel, *force, *inv; /* n*4 each, see above; inv is 0 where the motion is prescribed */
     double *load;                    /* n*4: what acts on a disk besides contacts: weight, torque; NULL: nothing does */
     double *mass;                    /* n [kg/m] */
-    int *coordination;               /* n: touching contacts of each, as of the last tr_timestep_contacts */
+    int *coordination;               /* n: touching contacts of each, right after tr_timestep_contacts */
 } tr_disks;
 
 /* A rigid plane through (x, y); the disks are on the side of its unit normal. It does not rotate. */
@@ -72,10 +72,10 @@ typedef struct tr_periodic_cell {
 /* The walls of a box, by number. */
 enum { TR_BOTTOM_WALL, TR_TOP_WALL, TR_LEFT_WALL, TR_RIGHT_WALL };
 
-/* Middle and sides of the rectangle that the disks are in [m]; see frame.h. */
-typedef struct tr_frame {
+/* Middle and sides of the rectangle that the disks are in [m]; see stretch.h. */
+typedef struct tr_extent {
     double x[2], side[2];
-} tr_frame;
+} tr_extent;
 
 /* A law at work: its row, its parameters, and where its arrays start in the group. law->step == NULL: nothing to do. */
 typedef struct tr_slot {
@@ -162,7 +162,7 @@ typedef struct tr_world {
     double wide_skin, thin_skin; /* [m] */
     double r_max;                /* the largest radius [m] */
     double *wide_ref, *thin_ref; /* n*2: centres at the last search, at the last refresh [m] */
-    tr_frame wide_frame, thin_frame; /* the same of the frame */
+    tr_extent wide_extent, thin_extent; /* and what the disks were in */
     double wall_moved; /* how far any wall, but those of a box, has moved since the last refresh, at most [m] */
     bool fresh;        /* laws were just set: nothing has moved since the histories were zero */
     bool stale;        /* the list no longer holds every pair that may touch */
@@ -176,7 +176,8 @@ typedef enum tr_sinks {
 } tr_sinks;
 
 /* A world of n disks or spheres (numbers 0..n-1), all at rest at 0 with radius and mass 0: the caller sets disks, then
- * walls, then laws. A world must not be copied or moved once its laws are set (passes point into it). */
+ * walls, then laws. A world must not be copied or moved once its laws are set (passes point into it), nor radii, masses, what is held and
+ * the number of walls be changed before they are set anew: lists and the bound of the step keep what follows from these. */
 bool tr_world_init(tr_world *world, int n, tr_shape shape, tr_status *st);
 void tr_world_free(tr_world *world);
 

@@ -119,8 +119,8 @@ typedef enum tr_needs {
     TR_NEEDS_V_R = 1,       /* the rolling velocity of the scene's definition */
     TR_SOLVED_BY_PATCH = 4, /* step is NULL: the driver of kind: contact solves it */
     TR_ELASTIC_P = 8,       /* a friction law whose P is f_elastic, while f_n > 0; the others take f_n */
-    TR_NEEDS_Z = 16,        /* its pair constants follow z1 and z2: they are made anew with every list */
     TR_GIVES_F_R = 2, /* a rolling law that also pulls along t: the pipeline ends with tr_resultant_rolling_force */
+    TR_NEEDS_Z = 16,  /* its pair constants follow z1 and z2: they are made anew with every list */
 } tr_needs;
 
 /* What a law claims, at its default options. tests/laws/test_claims.c shows each claim to hold, and to fail where it is

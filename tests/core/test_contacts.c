@@ -257,6 +257,34 @@ static void test_histories_survive_growth(void **state) {
     tr_world_free(&w);
 }
 
+/* A wall crushes a disk while the list of disks changes: who looks at the state still finds contacts with their own radii and histories. */
+static void test_a_failed_renewal_leaves_the_lists(void **state) {
+    (void)state;
+    tr_world w;
+    tr_status st = {0};
+    new_world(&w, 4);
+    for (int i = 0; i < 4; i++) tr_world_set_disk(&w, i, 0.1 * i, 0, 0, 0.01 + 0.001 * i, 1000, true);
+    double *pos = w.disks.pos;
+    pos[8] = pos[4] + 0.0229, pos[12] = pos[8] + 0.0249; /* 1-2, 2-3 */
+    w.wall[0] = (tr_wall){.y = -1, .ny = 1}, w.n_walls = 1;
+    set_laws(&w, (test_laws){1e3, 0, 1e6, 2e3, 1e6, 3e3, "bagi-kuhn"}, 0);
+    w.dt = 1e-4, w.allow_unstable = true;
+    set_velocity(&w, 3, 0, 0, 1);
+    steps(&w, 3);
+    const tr_group *g = &w.group[0];
+    double Q = g->hist[g->slot[TR_FRICTION].hist][listed(g, 2, 3)];
+    assert_true(Q != 0);
+    pos[0] = pos[4] - 0.0209, pos[1] = 0; /* 0-1 would come first */
+    w.wall[0].y = -0.001, w.stale = true;
+    assert_false(tr_step_forces(&w, &st));
+    assert_non_null(strstr(st.text, "contact of wall 0 with disk"));
+    for (int i = 0; i < g->n; i++) {
+        assert_true(g->pair[0][i] == pos[4 * g->a[i] + 3] && g->pair[1][i] == pos[4 * g->b[i] + 3]);
+        assert_true(g->hist[g->slot[TR_FRICTION].hist][i] == (g->a[i] == 2 ? Q : 0));
+    }
+    tr_world_free(&w);
+}
+
 /* ---- the same bits */
 
 static void test_skins_do_not_matter(void **state) {
@@ -389,17 +417,12 @@ static void test_records_are_the_forces(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_no_touching_pair_is_missed),
-        cmocka_unit_test(test_approach_from_far_is_seen),
-        cmocka_unit_test(test_what_stretches_is_seen),
-        cmocka_unit_test(test_histories_follow_their_pair),
-        cmocka_unit_test(test_histories_survive_growth),
-        cmocka_unit_test(test_skins_do_not_matter),
-        cmocka_unit_test(test_finders_give_the_same_bits),
-        cmocka_unit_test(test_two_worlds_side_by_side),
-        cmocka_unit_test(test_seeds),
-        cmocka_unit_test(test_looking_changes_nothing),
-        cmocka_unit_test(test_records_are_the_forces),
+        cmocka_unit_test(test_no_touching_pair_is_missed), cmocka_unit_test(test_approach_from_far_is_seen),
+        cmocka_unit_test(test_what_stretches_is_seen),     cmocka_unit_test(test_histories_follow_their_pair),
+        cmocka_unit_test(test_histories_survive_growth),   cmocka_unit_test(test_a_failed_renewal_leaves_the_lists),
+        cmocka_unit_test(test_skins_do_not_matter),        cmocka_unit_test(test_finders_give_the_same_bits),
+        cmocka_unit_test(test_two_worlds_side_by_side),    cmocka_unit_test(test_seeds),
+        cmocka_unit_test(test_looking_changes_nothing),    cmocka_unit_test(test_records_are_the_forces),
     };
     return cmocka_run_group_tests_name("contacts", tests, NULL, NULL);
 }

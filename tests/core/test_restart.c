@@ -6,7 +6,7 @@
 #include "core/ledger.h"
 #include "core/measures.h"
 #include "core/record.h"
-#include "core/frame.h"
+#include "core/stretch.h"
 #include "core/worlds.h"
 #include "scene/tables.h"
 
@@ -136,8 +136,8 @@ static void follow(tr_biaxial *b, const tr_scene *scene, const tr_biaxial *packi
 }
 
 static bool has_moved(const tr_world *world) {
-    tr_frame now = tr_frame_now(world);
-    return memcmp(&now, &world->thin_frame, sizeof now) != 0;
+    tr_extent now = tr_stretch_extent(world);
+    return memcmp(&now, &world->thin_extent, sizeof now) != 0;
 }
 
 typedef struct seen {

@@ -107,6 +107,25 @@ static void threads_change_no_bit(void **state) {
     }
 }
 
+/* Nothing of the laws before stays in the lanes of the threads. */
+static void threads_forget_other_laws(void **state) {
+    (void)state;
+    const test_laws frictionless = {.k_n = sand.k_n, .damping_ratio = sand.damping_ratio};
+    const test_laws slides = {.k_n = sand.k_n, .mu = 0.5, .k_t = sand.k_n / 2};
+    tr_world world[2];
+    for (int k = 0; k < 2; k++) {
+        move(&world[k], false, k + 1, k + 1);
+        for (int law = 0; law < 2; law++) {
+            set_laws(&world[k], law ? frictionless : slides, 0);
+            tr_threads_set(k + 1);
+            steps(&world[k], STEPS / 2);
+            tr_threads_set(1);
+        }
+    }
+    assert_same_bits(&world[0], &world[1]);
+    tr_world_free(&world[0]), tr_world_free(&world[1]);
+}
+
 /* Two pairs are crushed: the first of the list is named, whoever lists it. */
 static void first_failure_is_named(void **state) {
     (void)state;
@@ -133,6 +152,7 @@ static void first_failure_is_named(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(threads_change_no_bit), cmocka_unit_test(threads_change_no_sum),
+                                       cmocka_unit_test(threads_forget_other_laws),
                                        cmocka_unit_test(first_failure_is_named)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

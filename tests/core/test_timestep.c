@@ -375,6 +375,29 @@ static void test_a_light_piston_is_named(void **state) {
     }
 }
 
+/* What may come is not left out because of what is: the two free disks, neither smallest nor largest, do not touch yet, and the others,
+ * which they might, are held; facets of a bowl may all touch a disk. m: of a free disk, z: contacts that it may have. */
+static void test_sure_of_what_may_come(void **state) {
+    (void)state;
+    for (int bowl = 0; bowl < 2; bowl++) {
+        tr_world w;
+        new_world(&w, bowl ? 1 : 4);
+        tr_world_set_disk(&w, 0, 0, 0, 0, 0.01, 1000, false);
+        double m = w.disks.mass[0], z = bowl ? 12 : 3;
+        for (int i = 1; i < w.disks.n; i++)
+            tr_world_set_disk(&w, i, i, 0, 0, (double[]){0.01, 0.005, 0.02}[i - 1], 1000, i > 1);
+        for (int k = 0; bowl && k < 12; k++)
+            w.wall[w.n_walls++] = (tr_wall){.x = -0.02 * cos(k), .y = -0.02 * sin(k), .nx = cos(k), .ny = sin(k)};
+        set_laws(&w, normal_only, 0);
+        double bound = 2 / sqrt(normal_only.k_n * (bowl ? z / m : 2 * z / m));
+        w.dt = 0.99 * bound;
+        assert_true(tr_timestep_sure(&w));
+        w.dt = 1.01 * bound;
+        assert_false(tr_timestep_sure(&w));
+        tr_world_free(&w);
+    }
+}
+
 static void test_not_finite_is_named(void **state) {
     (void)state;
     for (int lane = 0; lane < 3; lane++)
@@ -427,6 +450,7 @@ int main(void) {
         cmocka_unit_test(test_leapfrog_on_a_packing),
         cmocka_unit_test(test_step_above_the_bound_is_named),
         cmocka_unit_test(test_a_light_piston_is_named),
+        cmocka_unit_test(test_sure_of_what_may_come),
         cmocka_unit_test(test_not_finite_is_named),
         cmocka_unit_test(test_not_finite_in_the_search_is_named),
         cmocka_unit_test(test_overlap_is_named),

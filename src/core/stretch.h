@@ -11,22 +11,22 @@
  *
  * Images in a cell are stretched as all is, walls of a box too: nothing more is to be said of them. Any other wall, and the disks
  * beside it, have scale 1: there m and the way of the wall must not exceed the skin together. */
-#ifndef TR_FRAME_H
-#define TR_FRAME_H
+#ifndef TR_STRETCH_H
+#define TR_STRETCH_H
 
 #include "core/world.h"
 
 /* Of the cell, of the box; else of nothing: the unit square about the origin. */
-tr_frame tr_frame_now(const tr_world *world);
+tr_extent tr_stretch_extent(const tr_world *world);
 
 /* Where a point of the earlier frame is in the later one, and the largest |scale - 1|. */
 typedef struct tr_stretch {
     double scale[2], offset[2], most;
 } tr_stretch;
 
-tr_stretch tr_frame_stretch(const tr_frame *from, const tr_frame *to);
+tr_stretch tr_stretch_of(const tr_extent *from, const tr_extent *to);
 
 /* Of what disks may move before the list with this skin has lost a pair with a gap below `left` [m]; may be negative. */
-double tr_frame_reach(const tr_world *world, const tr_stretch *stretch, double skin, double left);
+double tr_stretch_reach(const tr_world *world, const tr_stretch *stretch, double skin, double left);
 
 #endif
