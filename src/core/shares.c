@@ -155,12 +155,6 @@ static void scatter_mixed(tr_world *world, part *p, int k) {
     }
 }
 
-static void begin(void *context, int k) {
-    const tr_world *world = context;
-    int n = world->disks.n, threads = world->shares->threads;
-    tr_tile_begin(&world->disks, tr_threads_share(n, k, threads), tr_threads_share(n, k + 1, threads));
-}
-
 static void work(void *context, int k) {
     tr_world *world = context;
     tr_shares *s = world->shares;
@@ -181,7 +175,6 @@ bool tr_shares_forces(tr_world *world, double dt, tr_status *st) {
     tr_shares *s = world->shares;
     tr_quad *force = (tr_quad *)world->disks.force;
     s->dt = dt;
-    tr_threads_run(s->threads, begin, world);
     tr_threads_run(s->threads, work, world);
     for (int k = 0; k < s->threads; k++)
         for (const late *l = s->part[k].late, *end = l + s->part[k].n_late; l < end; l++) force[l->disk] += l->force;

@@ -14,7 +14,7 @@
 
 #include "core/world.h"
 
-/* Forces of the contacts of disks, in the place of those of before. dt: as of a pass. */
+/* Adds the forces of the contacts of disks. dt: as of a pass. */
 bool tr_shares_forces(tr_world *world, double dt, tr_status *st);
 
 void tr_shares_free(tr_shares *shares);

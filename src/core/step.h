@@ -10,7 +10,8 @@
  * the state stays readable. */
 bool tr_step_forces(tr_world *world, tr_status *st);
 
-/* Kick and drift: v += dt F/m, x += dt v, for disks and pistons. */
+/* Kick and drift: v += dt F/m, x += dt v, for disks and pistons. The forces on disks are then 0: they are there from tr_step_forces
+ * to here. */
 void tr_step_advance(tr_world *world);
 
 /* Runs the pipeline of a group over all tiles; after each tile, done(context, group, tile). For sinks that look now and

@@ -107,12 +107,12 @@ void tr_tile_gather(const tr_world *world, const tr_group *g, tr_tile *tile, int
     if (!g->walls && world->cell.side[0] > 0) tr_cell_shift(&world->cell, g, tile);
 }
 
-void tr_tile_begin(const tr_disks *d, int low, int high) {
-    size_t at = 4 * (size_t)low, bytes = 4 * (size_t)(high - low) * sizeof *d->force;
+void tr_tile_begin(const tr_disks *d) {
+    size_t bytes = 4 * (size_t)d->n * sizeof *d->force;
     if (d->load)
-        memcpy(d->force + at, d->load + at, bytes);
+        memcpy(d->force, d->load, bytes);
     else
-        memset(d->force + at, 0, bytes);
+        memset(d->force, 0, bytes);
 }
 
 void tr_tile_scatter(const tr_tile *tile, const tr_group *g, tr_world *world) {

@@ -8,8 +8,8 @@
 /* Contacts of the group from `first` on, as many as a tile holds: their relative motion and what kinematics needs. */
 void tr_tile_gather(const tr_world *world, const tr_group *group, tr_tile *tile, int first, double dt);
 
-/* The force on disks low to high - 1 before any contact: their loads. */
-void tr_tile_begin(const tr_disks *disks, int low, int high);
+/* The forces on disks before any contact: their loads. */
+void tr_tile_begin(const tr_disks *disks);
 
 /* Adds resultants to the forces of disks and walls. */
 void tr_tile_scatter(const tr_tile *tile, const tr_group *group, tr_world *world);

@@ -164,6 +164,7 @@ typedef struct tr_world {
     double *wide_ref, *thin_ref; /* n*2: centres at the last search, at the last refresh [m] */
     tr_extent wide_extent, thin_extent; /* and what the disks were in */
     double wall_moved; /* how far any wall, but those of a box, has moved since the last refresh, at most [m] */
+    bool spent;        /* tr_step_advance has used the forces, and left 0 */
     bool fresh;        /* laws were just set: nothing has moved since the histories were zero */
     bool stale;        /* the list no longer holds every pair that may touch */
     int64_t searches, refreshes;
