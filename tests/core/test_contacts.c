@@ -382,6 +382,28 @@ static void test_looking_changes_nothing(void **state) {
     tr_biaxial_free(&b), tr_biaxial_free(&c);
 }
 
+/* Forces are of this instant, however often they are asked for: with a load and without, before and after a step. */
+static void test_forces_do_not_add_up(void **state) {
+    (void)state;
+    for (int load = 0; load < 2; load++) {
+        tr_world w;
+        new_world(&w, 2);
+        for (int i = 0; i < 2; i++) tr_world_set_disk(&w, i, 0.0199 * i, 0, 0, 0.01, 1000, true);
+        if (load) set_gravity(&w, 1, 0);
+        set_laws(&w, normal_spring, 0);
+        w.dt = 1e-4, w.allow_unstable = true;
+        for (int k = 0; k < 4; k++) {
+            forces(&w);
+            double push = normal_spring.k_n * 0.0001,
+                   weight = load * w.disks.mass[0]; /* a difference of numbers 0.02 */
+            assert_close(w.disks.force[0], weight - push, 1e-12, 1e-9);
+            assert_close(w.disks.force[4], weight + push, 1e-12, 1e-9);
+            if (k == 1) tr_step_advance(&w); /* held: nothing moves */
+        }
+        tr_world_free(&w);
+    }
+}
+
 /* What is recorded is what acts: the forces of the records add up to those on the disks. */
 static void test_records_are_the_forces(void **state) {
     (void)state;
@@ -422,7 +444,8 @@ int main(void) {
         cmocka_unit_test(test_histories_survive_growth),   cmocka_unit_test(test_a_failed_renewal_leaves_the_lists),
         cmocka_unit_test(test_skins_do_not_matter),        cmocka_unit_test(test_finders_give_the_same_bits),
         cmocka_unit_test(test_two_worlds_side_by_side),    cmocka_unit_test(test_seeds),
-        cmocka_unit_test(test_looking_changes_nothing),    cmocka_unit_test(test_records_are_the_forces),
+        cmocka_unit_test(test_forces_do_not_add_up),       cmocka_unit_test(test_looking_changes_nothing),
+        cmocka_unit_test(test_records_are_the_forces),
     };
     return cmocka_run_group_tests_name("contacts", tests, NULL, NULL);
 }
