@@ -87,14 +87,13 @@ static bool assign(tr_shares *s, const tr_group *g, tr_status *st) {
 
 static tr_shares *create(int n, int threads, tr_status *st) {
     tr_shares *s = tr_alloc(1, sizeof *s, st);
-    if (!s) return NULL;
-    s->list = -1;
-    if ((s->owner = tr_alloc((size_t)n, sizeof *s->owner, st)) &&
-        (s->part = tr_alloc((size_t)threads, sizeof *s->part, st))) {
-        s->threads = threads;
+    uint16_t *owner = tr_alloc((size_t)n, sizeof *owner, st);
+    part *parts = tr_alloc((size_t)threads, sizeof *parts, st);
+    if (s && owner && parts) {
+        *s = (tr_shares){.threads = threads, .list = -1, .owner = owner, .part = parts};
         return s;
     }
-    tr_shares_free(s);
+    free(parts), free(owner), free(s);
     return NULL;
 }
 
@@ -107,7 +106,7 @@ static bool prepare(tr_world *world, tr_status *st) {
     if (s->list == world->refreshes) return true;
     s->list = -1;
     s->tiles = (g->n + TR_TILE - 1) / TR_TILE;
-    if (s->tiles > s->n_sums) {
+    if (!s->sums || s->tiles > s->n_sums) {
         int room = g->capacity / TR_TILE + 1;
         if (!tr_alloc_grow(&s->sums, 0, (size_t)room, sizeof(sums), st)) return false;
         s->n_sums = room;
