@@ -40,7 +40,7 @@ static inline int tr_threads_share(int all, int k, int n) {
 }
 
 /* work(context, k) for k from 0 to n - 1, by n threads. One alone is called like any function: OpenMP makes and frees a team
- * even for one, which was 3 % of the steps of 400 disks. */
+ * even for one. */
 static inline void tr_threads_run(int n, void (*work)(void *context, int k), void *context) {
     if (n == 1) {
         work(context, 0);

@@ -8,8 +8,8 @@
 #include "base/alloc.h"
 #include "base/threads.h"
 #include "core/cell.h"
-#include "core/stretch.h"
 #include "core/list.h"
+#include "core/stretch.h"
 #include "core/timestep.h"
 #include <math.h>
 #include <stdio.h>

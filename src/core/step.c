@@ -5,8 +5,8 @@
 #include "base/vector.h"
 #include "core/cell.h"
 #include "core/contacts.h"
-#include "core/stretch.h"
 #include "core/shares.h"
+#include "core/stretch.h"
 #include "core/tile.h"
 #include <math.h>
 #include <string.h>

@@ -144,7 +144,7 @@ double tr_timestep_worst(const tr_world *world) {
     return all_limits(world, (packings){.overlap = TR_EXPECTED_OVERLAP}, 1000);
 }
 
-/* One density, and all free: of such the smallest and the largest disks make the stiffest pairs with any other. */
+/* One density, and all free: of such the smallest and the largest stand for all partners, as in tr_timestep_worst of many. */
 static bool are_alike(const tr_world *world) {
     const tr_disks *d = &world->disks;
     double first = d->mass[0] / pow(d->pos[3], world->shape == TR_SHAPE_SPHERE ? 3 : 2);

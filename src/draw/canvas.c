@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The off-screen picture, its PNG file, and the strokes of a picture to come. A PNG of one IDAT is a zlib stream between a few bytes:
- * ISA-L makes the stream in a sixth of the time of the zlib in libpng, for runs of a colour cost it nothing, and libpng writes it as a
+ * ISA-L makes the stream in a fifth of the time of the zlib in libpng, for runs of a colour cost it nothing, and libpng writes it as a
  * chunk. No filters: edges between flat colours grow by them. */
 #include "base/alloc.h"
 #include "base/part.h"
