@@ -225,11 +225,18 @@ bool tr_checkpoint_close(tr_checkpoint *c) {
     return !c->st->code;
 }
 
+static void remove_one(const char *dir, const char *name) {
+    char path[PATH_MAX];
+    snprintf(path, sizeof path, "%s/%s", dir, name);
+    unlink(path);
+}
+
+void tr_checkpoint_remove_part(const char *dir) {
+    remove_one(dir, TR_CHECKPOINT ".part");
+}
+
 void tr_checkpoint_remove(const char *dir) {
-    const char *const names[] = {TR_CHECKPOINT, TR_CHECKPOINT ".old"};
-    for (int k = 0; k < 2; k++) {
-        char path[PATH_MAX];
-        snprintf(path, sizeof path, "%s/%s", dir, names[k]);
-        unlink(path);
-    }
+    remove_one(dir, TR_CHECKPOINT);
+    remove_one(dir, TR_CHECKPOINT ".old");
+    tr_checkpoint_remove_part(dir);
 }

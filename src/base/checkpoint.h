@@ -46,6 +46,9 @@ bool tr_checkpoint_close(tr_checkpoint *c);
 /* Of a finished run. */
 void tr_checkpoint_remove(const char *dir);
 
+/* What a run left that was killed while it wrote a checkpoint. */
+void tr_checkpoint_remove_part(const char *dir);
+
 /* Sees to it that dir/name, a file or a directory, is on the disk; one that is not there is none to care for. */
 bool tr_checkpoint_sync(const char *dir, const char *name, tr_status *st);
 

@@ -139,7 +139,7 @@ bool tr_cli_bench_features(const tr_bench_arguments *a, tr_status *st) {
     table *t = tr_alloc(1, sizeof *t, st);
     const tr_scene *scene[MAX_ROWS];
     tr_file csv = {0};
-    bool ok = t && (!a->out || tr_cli_open(&csv, a->out, st)) && fill(t, a, st);
+    bool ok = t && (!a->out || tr_cli_open(&csv, a->out, a->file, st)) && fill(t, a, st);
     for (int i = 0; ok && i < t->n; i++) scene[i] = &t->scene[i];
     ok = ok && tr_bench(scene, t->n, false, t->report, st);
     if (ok) write_all(t, csv.stream);

@@ -50,7 +50,7 @@ bool tr_cli_bench_sizes(const tr_bench_arguments *a, tr_status *st) {
     tr_file csv = {0};
     int n = 0;
     while (n < N && SIZES[n] <= a->largest) sizes[n].disks = SIZES[n], n++;
-    bool ok = tr_cli_bench_case(a, NULL, 0, &scene, st) && (!a->out || tr_cli_open(&csv, a->out, st));
+    bool ok = tr_cli_bench_case(a, NULL, 0, &scene, st) && (!a->out || tr_cli_open(&csv, a->out, a->file, st));
     if (ok) scene.output.energy = false;
     ok = ok && tr_bench_sizes(&scene, sizes, n, st);
     if (ok) write_all(sizes, n, csv.stream);

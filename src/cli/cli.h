@@ -20,14 +20,15 @@ int tr_cli_fail(const tr_status *st);
 /* "cases/slip-to-roll.yaml" -> "slip-to-roll" */
 void tr_cli_name(const char *file, char *name, size_t size);
 
-/* A file that the user has named by its path. */
-bool tr_cli_open(tr_file *file, const char *path, tr_status *st);
+/* A file that the user has named by its path. It must not be the file `input`, which is read (NULL: none is). */
+bool tr_cli_open(tr_file *file, const char *path, const char *input, tr_status *st);
 
 /* An argument that is a whole number from low to high; ends the program otherwise. what: names it. */
 struct argp_state;
 int tr_cli_whole(const char *text, int low, int high, const char *what, struct argp_state *state);
 
-/* Ctrl-C: from here on the first one asks to stop by setting the flag, a second one kills. */
+/* Ctrl-C, SIGTERM, SIGHUP (the terminal was closed): from here on the first one asks to stop by setting the flag. A second one
+ * kills. */
 const volatile sig_atomic_t *tr_cli_stop(void);
 
 /* A progress bar on stderr, drawn at most ten times a second; silent unless stderr is a terminal. */

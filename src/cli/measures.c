@@ -147,7 +147,7 @@ static bool card(FILE *csv, tr_status *st) {
 
 static bool to_file(const arguments *a, tr_status *st) {
     tr_file file;
-    if (!tr_cli_open(&file, a->out, st)) return false;
+    if (!tr_cli_open(&file, a->out, a->file, st)) return false;
     if (a->file ? tr_measures_csv(a->file, file.stream, st) : card(file.stream, st)) return tr_file_commit(&file, st);
     tr_file_discard(&file);
     return false;

@@ -88,6 +88,7 @@ int tr_cli_verify(int argc, char **argv) {
                               0};
     argv[0] = "trundle verify";
     argp_parse(&argp, argc, argv, 0, NULL, &a);
+    if (a.dir && !a.list) tr_verify_claim(a.dir, &st);
     for (int i = 0; tr_verification_at(i) && !st.code; i++) {
         const tr_verification *which = tr_verification_at(i);
         if (!wanted(&a, which)) continue;

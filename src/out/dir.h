@@ -22,17 +22,16 @@ typedef struct tr_file {
 enum { TR_DIR_WAIT = 5 }; /* [s] gnuplot and ffmpeg need less to end */
 bool tr_dir_lock(const char *dir, int *lock, tr_status *st);
 
-/* Empties a directory for a new run. A finished run is refused with TR_FILE unless force; with force the results of the old run are
- * removed, and nothing else. */
-bool tr_dir_clear(const char *dir, bool force, tr_status *st);
-
 /* dir/name; TR_FILE if the path is too long. */
 bool tr_dir_path(char path[TR_PATH], const char *dir, const char *name, tr_status *st);
 
 /* Makes dir/name. */
 bool tr_dir_make(const char *dir, const char *name, tr_status *st);
 
+/* Opens dir/name for writing, and lists it first: see made.h. */
 bool tr_file_open(tr_file *file, const char *dir, const char *name, tr_status *st);
+/* The same for a file that the user has named by its path. It is not listed. */
+bool tr_file_open_path(tr_file *file, const char *path, tr_status *st);
 /* Goes on with a file that a stopped run has left, with or without its final name; tr_file_checkpoint then cuts it. */
 bool tr_file_reopen(tr_file *file, const char *dir, const char *name, tr_status *st);
 bool tr_file_check(tr_file *file, tr_status *st);  /* flush; a full disk shows here */

@@ -4,6 +4,7 @@
 #include "base/part.h"
 #include "base/program.h"
 #include "out/dir.h"
+#include "out/made.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <spawn.h>
@@ -138,6 +139,10 @@ static bool keep(const char *dir, const char *stem, const char *ending, const ch
 /* Runs plot.gp, and names its two pictures. */
 static bool draw(const char *dir, const char *stem, int *code, tr_status *st) {
     static const char svg_end[] = "</svg>\n\n", png_end[] = "IEND\xae\x42\x60\x82";
+    char name[2][32];
+    snprintf(name[0], sizeof name[0], "%s.svg", stem);
+    snprintf(name[1], sizeof name[1], "%s.png", stem);
+    if (!tr_made_add(dir, name[0], st) || !tr_made_add(dir, name[1], st)) return false;
     *code = run_gnuplot(dir);
     bool svg = keep(dir, stem, ".svg", svg_end, sizeof svg_end - 1, *code, st);
     return keep(dir, stem, ".png", png_end, sizeof png_end - 1, *code, st) && svg;

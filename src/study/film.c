@@ -4,6 +4,7 @@
 #include "base/alloc.h"
 #include "base/threads.h"
 #include "out/dir.h"
+#include "out/made.h"
 #include "study/run_internal.h"
 #include <math.h>
 #include <pthread.h>
@@ -116,14 +117,27 @@ static void dismiss(tr_film *film, tr_status *st) {
     film->crew = NULL;
 }
 
+/* NAME.gif of NAME.mp4 */
+static void name_gif(char *gif, size_t size, const char *mp4) {
+    snprintf(gif, size, "%.*s.gif", (int)(strrchr(mp4, '.') - mp4), mp4);
+}
+
+static bool add_films(const char *dir, const char *name, tr_status *st) {
+    char gif[32];
+    name_gif(gif, sizeof gif, name);
+    return tr_made_add(dir, name, st) && tr_made_add(dir, gif, st);
+}
+
 bool tr_film_open(tr_film *film, const char *dir, const char *name, int frames, tr_run_report *report, tr_status *st) {
     *film = (tr_film){.dir = dir, .name = name, .rate = frame_rate(frames)};
     if (!frames) return true;
     char path[TR_PATH];
-    if (!tr_dir_make(dir, "frames", st) || !(film->canvas = tr_canvas_record(st))) return false;
+    if (!tr_dir_make(dir, "frames", st) || !tr_made_add_frames(dir, frames, st) ||
+        !(film->canvas = tr_canvas_record(st)))
+        return false;
     if (!tr_video_available())
         tr_run_note(report, "no film: ffmpeg is not installed; frames/ has the pictures");
-    else if (!tr_dir_path(path, dir, name, st) || !(film->video = tr_video_open(path, film->rate, st)))
+    else if (!add_films(dir, name, st) || !tr_dir_path(path, dir, name, st) || !(film->video = tr_video_open(path, film->rate, st)))
         return false;
     return true;
 }
@@ -158,11 +172,10 @@ void tr_film_checkpoint(tr_film *film, tr_checkpoint *c) {
     if (!c->loading) tr_checkpoint_sync(film->dir, "frames", c->st);
 }
 
-/* NAME.gif of NAME.mp4 */
 static bool make_gif(const tr_film *film, tr_status *st) {
     char mp4[TR_PATH], gif[TR_PATH];
     if (!tr_dir_path(mp4, film->dir, film->name, st)) return false;
-    strcpy(strrchr(strcpy(gif, mp4), '.'), ".gif");
+    name_gif(gif, sizeof gif, mp4);
     return tr_video_gif(mp4, gif, film->rate, st);
 }
 

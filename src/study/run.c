@@ -2,6 +2,7 @@
 #include "study/run_internal.h"
 
 #include "laws/law.h"
+#include "out/made.h"
 #include "study/contact.h"
 #include <assert.h>
 #include <errno.h>
@@ -76,14 +77,10 @@ bool tr_run(const tr_scene *scene, const tr_run_options *options, tr_run_report 
     return ok;
 }
 
-/* A user who runs ./case.yaml with -o . would lose it to the resolved case. */
-static bool spare_case_file(const tr_run_options *options, tr_status *st) {
-    struct stat given, ours;
-    char path[TR_PATH];
-    if (!tr_dir_path(path, options->dir, "case.yaml", st)) return false;
-    if (!options->case_file || stat(options->case_file, &given) || stat(path, &ours)) return true;
-    if (given.st_dev != ours.st_dev || given.st_ino != ours.st_ino) return true;
-    return tr_status_fail(st, TR_FILE, "error: the run would write over its own case file %s; give another -o", path);
+/* Of all that the run reads. */
+static bool spare_inputs(const tr_scene *scene, const tr_run_options *o, tr_status *st) {
+    return tr_made_spare(o->dir, o->case_file, st) && tr_made_spare(o->dir, o->sample, st) &&
+           tr_made_spare(o->dir, scene->path_file, st);
 }
 
 bool tr_run_open(const tr_scene *scene, const tr_run_options *options, tr_checkpoint *c, tr_run_report *report,
@@ -93,9 +90,11 @@ bool tr_run_open(const tr_scene *scene, const tr_run_options *options, tr_checkp
     char *resolved = tr_scene_write(scene, tr_laws_catalog(), st);
     bool resume = resolved && options->resume &&
                   tr_checkpoint_open(c ? c : &none, options->dir, TR_CHECKPOINT, resolved, &instead, st);
+    if (resume) tr_checkpoint_remove_part(options->dir);
     if (resume && instead.code) tr_run_note(report, "from the checkpoint before the last: %.150s", instead.text);
-    bool ok = resume || (resolved && !st->code && spare_case_file(options, st) &&
-                         tr_dir_clear(options->dir, options->force, st) &&
+    bool ok = resume || (resolved && !st->code && spare_inputs(scene, options, st) &&
+                         tr_made_clear(options->dir, options->force, st) &&
+                         (!c || tr_made_add(options->dir, TR_CHECKPOINT, st)) &&
                          tr_file_write(options->dir, "case.yaml", resolved, st));
     free(resolved);
     return ok;

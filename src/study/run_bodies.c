@@ -8,6 +8,7 @@
  * are within a step of it. */
 #include "base/alloc.h"
 #include "out/summary.h"
+#include "out/made.h"
 #include "study/picture.h"
 #include "study/play.h"
 #include "study/run_internal.h"
@@ -57,7 +58,9 @@ static bool open_plays(show *s, tr_status *st) {
 static bool keep_still(show *s, tr_status *st) {
     char path[TR_PATH];
     s->has_still = true;
-    tr_canvas *canvas = tr_dir_path(path, s->options->dir, "still.png", st) ? tr_canvas_create(st) : NULL;
+    if (!tr_dir_path(path, s->options->dir, "still.png", st) || !tr_made_add(s->options->dir, "still.png", st))
+        return false;
+    tr_canvas *canvas = tr_canvas_create(st);
     if (!canvas) return false;
     tr_picture_draw(canvas, &s->cast, &s->view, s->result, s->n_results);
     bool ok = tr_canvas_png(canvas, path, st);

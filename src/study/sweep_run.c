@@ -9,6 +9,7 @@
 #include "base/alloc.h"
 #include "base/hash.h"
 #include "out/dir.h"
+#include "out/made.h"
 #include "study/packing.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -111,10 +112,12 @@ static bool name_sample(const runner *r, int point, char sample[TR_PATH]) {
 
 /* False: no further point can be started either. */
 static bool begin(runner *r, job *free_job, int point) {
-    char name[TR_POINT_NAME];
+    char name[TR_POINT_NAME], log[TR_POINT_NAME + 8];
     order what = {.begun = r->state[point - r->o->first] == TR_POINT_BEGUN};
     tr_grid_name(r->g, point, name);
-    if (!tr_dir_make(r->o->dir, name, r->st) || !tr_dir_path(what.path, r->o->dir, name, r->st) ||
+    snprintf(log, sizeof log, "%s/log", name);
+    if (!tr_dir_make(r->o->dir, name, r->st) || !tr_made_add(r->o->dir, log, r->st) ||
+        !tr_dir_path(what.path, r->o->dir, name, r->st) ||
         !tr_dir_path(what.log, what.path, "log", r->st) || !name_sample(r, point, what.sample))
         return false;
     what.sets = tr_grid_sets(r->g, point, r->st);
@@ -181,6 +184,13 @@ static bool look(runner *r, int *missing) {
     return true;
 }
 
+/* Tables that are in the way are found before the first point runs. */
+static bool claim(const runner *r) {
+    const char *dir = r->o->dir;
+    return tr_dir_make(dir, ".", r->st) && tr_made_add(dir, "points.csv", r->st) &&
+           tr_made_add(dir, "collect.csv", r->st);
+}
+
 static void run_all(runner *r, int missing) {
     bool ended = false;
     int next = r->o->first;
@@ -213,7 +223,7 @@ bool tr_grid_run(const tr_grid *g, const tr_grid_options *o, tr_grid_report *rep
     int missing = 0;
     r.state = tr_alloc((size_t)(o->end - o->first), sizeof *r.state, st);
     r.jobs = tr_alloc((size_t)o->jobs, sizeof *r.jobs, st);
-    if (r.state && r.jobs && look(&r, &missing)) run_all(&r, missing);
+    if (r.state && r.jobs && look(&r, &missing) && claim(&r)) run_all(&r, missing);
     free(r.state);
     free(r.jobs);
     if (stopped(&r))

@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "laws/law.h"
+#include "out/made.h"
 #include "study/checks.h"
 #include "study/play.h"
 #include <stdio.h>
@@ -131,9 +132,13 @@ static void put_point(FILE *f, const struct tr_verify_pointed *p) {
     fprintf(f, ",%d\n", p->point.usual);
 }
 
+bool tr_verify_claim(const char *dir, tr_status *st) {
+    return tr_dir_make(dir, ".", st) && tr_made_add(dir, "verify.csv", st) && tr_made_add(dir, "points.csv", st);
+}
+
 bool tr_verify_write(const tr_verify *v, const char *dir, tr_status *st) {
     tr_file file;
-    if (!tr_dir_make(dir, ".", st) || !tr_file_open(&file, dir, "verify.csv", st)) return false;
+    if (!tr_file_open(&file, dir, "verify.csv", st)) return false;
     fputs("group,case,quantity,unit,source,reference,computed,error,tolerance,order,seconds,verdict,outcome,reason\n",
           file.stream);
     for (int i = 0; i < v->n; i++) put_row(file.stream, &v->row[i]);

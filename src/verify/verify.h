@@ -103,6 +103,9 @@ const tr_verification *tr_verification_at(int i);
 bool tr_verify_run(tr_verify *v, const tr_verification *which, tr_status *st);
 void tr_verify_free(tr_verify *v);
 
+/* Makes DIR and lists the tables, before the first verification runs. TR_FILE: see out/made.h. */
+bool tr_verify_claim(const char *dir, tr_status *st);
+
 /* DIR/verify.csv and, if there are points, DIR/points.csv. */
 bool tr_verify_write(const tr_verify *v, const char *dir, tr_status *st);
 

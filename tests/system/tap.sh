@@ -96,7 +96,7 @@ run_gives() {
     [ "$code" -eq "$wanted" ] || { echo "exit code $code, not $wanted"; cat "$work/stdout" "$work/stderr"; false; }
 }
 
-# Files under a directory, one a line, sorted.
-listing() { (cd "$1" && find . -type f | sed 's|^\./||' | sort); }
+# Files under a directory but the list of them, one a line, sorted.
+listing() { (cd "$1" && find . -type f ! -name trundle-files.txt | sed 's|^\./||' | sort); }
 
 no_parts() { is_silent find "$1" -name '*.part'; }

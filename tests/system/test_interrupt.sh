@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Ctrl-C: the first stops cleanly, keeps what there is and says so (130); a second one kills. SIGTERM does the same.
+# Ctrl-C: the first stops cleanly, keeps what there is and says so (130); a second one kills. SIGTERM and SIGHUP do the same.
 set -u
 # shellcheck source=tests/system/tap.sh
 . "$(dirname "$0")/tap.sh"
@@ -35,7 +35,7 @@ whole_lines() { # the last character is a line break, every line has as many cel
     [ "$(tail -c 1 "$1" | od -An -tx1 | tr -d ' ')" = 0a ] && awk -F, 'NR == 1 { n = NF } NF != n { bad = 1 } END { exit bad || NR < 3 }' "$1"
 }
 
-for signal in INT TERM; do
+for signal in INT TERM HUP; do
     # shellcheck disable=SC2086 # a list of options
     start small.yaml -o "shear$signal" $slow
     check "SIG$signal during the shear: rows are growing" wait_for has_rows "shear$signal"

@@ -206,7 +206,7 @@ check 'nothing changed' equals "$(cat framed/* framed/frames/* 2>/dev/null | cks
 check 'five frames' run_gives 0 bodies.yaml -o forced --frames 5
 echo mine >forced/notes.txt
 echo mine >forced/frames/7.png
-touch forced/history.csv.part forced/frames/00009.png.part
+touch forced/history.csv.part forced/frames/00003.png.part
 check 'then two with --force' run_gives 0 bodies.yaml -o forced --frames 2 --force
 check 'stale frames and parts are gone' equals "$(ls forced/frames | tr '\n' ' ')" '00000.png 00001.png 7.png '
 check 'no part is left' no_parts forced

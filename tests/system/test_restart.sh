@@ -94,7 +94,7 @@ wait_for() { # up to 20 s or so
 grown() { [ "$(wc -l <"$1/history.csv.part")" -gt "$2" ]; }
 # shellcheck disable=SC2086 # a list of options
 check 'a longer run' run_gives 0 small.yaml -o long $long
-for signal in INT TERM; do
+for signal in INT TERM HUP; do
     rm -rf stopped
     # shellcheck disable=SC2086
     start small.yaml -o stopped $long
@@ -104,9 +104,11 @@ for signal in INT TERM; do
     check "SIG$signal" equals $? 130
     check 'says how to go on' says stderr '--resume goes on from there'
     check 'it has a checkpoint, though the first was not due' test -s stopped/checkpoint.bin
+    echo cut >stopped/checkpoint.bin.part # as a kill in the middle of a checkpoint leaves it
     copy stopped "stopped$signal"
     # shellcheck disable=SC2086
     check 'and ends with the same bytes' ends_as long small.yaml stopped $long
+    check 'no part of a checkpoint is left' no_parts stopped
 done
 # shellcheck disable=SC2086
 start small.yaml -o early $long --set compaction.inertial_number=0.01

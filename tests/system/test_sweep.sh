@@ -34,9 +34,9 @@ sweep_gives() {
     sweep "$@"
     [ "$code" -eq "$wanted" ] || { echo "exit code $code, not $wanted"; cat stdout stderr; false; }
 }
-# All files of a sweep but what is timing.
+# All files of a sweep but what is timing, and the lists of files, whose order is that of the runs.
 contents() {
-    (cd "$1" && find . -type f ! -name '*.out' | sort | while read -r file; do
+    (cd "$1" && find . -type f ! -name '*.out' ! -name trundle-files.txt | sort | while read -r file; do
         echo "== $file"
         sed '/^  "timing": {$/,/^  }/d' "$file"
     done)
