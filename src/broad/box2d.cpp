@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Pair finding by Box2D's dynamic tree of boxes (the only C++ file, the only user of Box2D).
+/* Pair finding by Box2D's dynamic tree of boxes (the only user of Box2D).
  *
  * Box2D computes in float, in metres of a game, with a fixed fat margin of 0.1: a millimetre disk would be smaller than
  * the margin and every pair a candidate. So lengths are scaled to a unit of two mean diameters, an origin is
@@ -17,8 +17,20 @@ extern "C" {
 #include <algorithm>
 #include <box2d/b2_dynamic_tree.h>
 #include <cmath>
+#include <cstdlib>
 #include <new>
 #include <vector>
+
+/* Box2D does not look at what its allocator returns. These two take the place of its own, here and inside the library, and
+ * throw where there is no memory. */
+void *b2Alloc_Default(int32 size) {
+    void *memory = std::malloc(static_cast<std::size_t>(size));
+    if (!memory) throw std::bad_alloc();
+    return memory;
+}
+void b2Free_Default(void *memory) {
+    std::free(memory);
+}
 
 namespace {
 

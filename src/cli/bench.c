@@ -96,7 +96,6 @@ static bool passes(const tr_bench_arguments *a, tr_status *st) {
 
 int tr_cli_bench(int argc, char **argv) {
     tr_bench_arguments a = {0};
-    argp_err_exit_status = TR_BAD_CASE;
     const struct argp argp = {
         options,
         parse,
@@ -109,7 +108,7 @@ int tr_cli_bench(int argc, char **argv) {
         0,
         0};
     argv[0] = "trundle bench";
-    argp_parse(&argp, argc, argv, 0, NULL, &a);
+    tr_cli_parse(&argp, argc, argv, &a);
     tr_status st = {0};
     return (a.features  ? tr_cli_bench_features(&a, &st)
             : a.largest ? tr_cli_bench_sizes(&a, &st)

@@ -23,6 +23,10 @@ void tr_cli_name(const char *file, char *name, size_t size);
 /* A file that the user has named by its path. It must not be the file `input`, which is read (NULL: none is). */
 bool tr_cli_open(tr_file *file, const char *path, const char *input, tr_status *st);
 
+/* Reads the arguments, or ends the program: with TR_BAD_CASE if they are wrong, with TR_FILE if memory runs out. */
+struct argp;
+void tr_cli_parse(const struct argp *argp, int argc, char **argv, void *arguments);
+
 /* An argument that is a whole number from low to high; ends the program otherwise. what: names it. */
 struct argp_state;
 int tr_cli_whole(const char *text, int low, int high, const char *what, struct argp_state *state);

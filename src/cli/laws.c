@@ -99,12 +99,11 @@ static error_t parse(int key, char *value, struct argp_state *state) {
 
 int tr_cli_laws(int argc, char **argv) {
     const char *name = NULL;
-    argp_err_exit_status = TR_BAD_CASE;
     const struct argp argp = {
         NULL, parse, "[NAME]", "Lists the contact laws, or prints all about one: formula, parameters, source, claims.",
         0,    0,     0};
     argv[0] = "trundle laws";
-    argp_parse(&argp, argc, argv, 0, NULL, &name);
+    tr_cli_parse(&argp, argc, argv, &name);
     if (!name) return list(stdout), TR_OK;
     tr_near near = {NULL, 0};
     int found = 0;

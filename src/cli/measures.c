@@ -170,10 +170,9 @@ static bool to_stdout(const arguments *a, tr_status *st) {
 
 int tr_cli_measures(int argc, char **argv) {
     arguments a = {0};
-    argp_err_exit_status = TR_BAD_CASE;
     const struct argp argp = {options, parse, "[FILE.csv]", doc, 0, 0, 0};
     argv[0] = "trundle measures";
-    argp_parse(&argp, argc, argv, 0, NULL, &a);
+    tr_cli_parse(&argp, argc, argv, &a);
     tr_status st = {0};
     bool ok = a.out ? to_file(&a, &st) : a.file ? to_stdout(&a, &st) : card(NULL, &st);
     return ok ? TR_OK : tr_cli_fail(&st);

@@ -43,7 +43,6 @@ int tr_cli_replay(int argc, char **argv) {
     tr_progress progress = tr_progress_begin();
     tr_replay_options o = {
         .jobs = tr_processors(), .elements = 60, .every = 1, .progress = tr_progress_show, .context = &progress};
-    argp_err_exit_status = TR_BAD_CASE;
     const struct argp argp = {
         options,
         parse,
@@ -55,7 +54,7 @@ int tr_cli_replay(int argc, char **argv) {
         0,
         0};
     argv[0] = "trundle replay";
-    argp_parse(&argp, argc, argv, 0, NULL, &o);
+    tr_cli_parse(&argp, argc, argv, &o);
     o.stop = tr_cli_stop();
     if (!o.dir) o.dir = o.run;
     tr_status st = {0};

@@ -160,11 +160,10 @@ static int run(const arguments *a) {
 
 int tr_cli_run(int argc, char **argv) {
     arguments a = {.checkpoint = 60};
-    argp_err_exit_status = TR_BAD_CASE;
     const struct argp argp = {
         options, parse, "CASE.yaml", "Runs a case file and writes curves, tables, frames and a film.", 0, 0, 0};
     argv[0] = "trundle run";
-    argp_parse(&argp, argc, argv, 0, NULL, &a);
+    tr_cli_parse(&argp, argc, argv, &a);
     int code = run(&a);
     for (int k = 0; k < a.n_owned; k++) free(a.owned[k]);
     return code;

@@ -124,7 +124,6 @@ int tr_cli_sweep(int argc, char **argv) {
     arguments a = {.index = -1};
     tr_status st = {0};
     tr_grid grid;
-    argp_err_exit_status = TR_BAD_CASE;
     const struct argp argp = {options,
                               parse,
                               "SWEEP.yaml",
@@ -134,7 +133,7 @@ int tr_cli_sweep(int argc, char **argv) {
                               0,
                               0};
     argv[0] = "trundle sweep";
-    argp_parse(&argp, argc, argv, 0, NULL, &a);
+    tr_cli_parse(&argp, argc, argv, &a);
     char name[256], dir[300];
     tr_cli_name(a.file, name, sizeof name);
     snprintf(dir, sizeof dir, "out/%s", name);

@@ -77,7 +77,6 @@ int tr_cli_verify(int argc, char **argv) {
     arguments a = {0};
     tr_status st = {0};
     tr_verify v = {.stop = tr_cli_stop()};
-    argp_err_exit_status = TR_BAD_CASE;
     const struct argp argp = {options,
                               parse,
                               "[GROUP|NAME...]",
@@ -87,7 +86,7 @@ int tr_cli_verify(int argc, char **argv) {
                               0,
                               0};
     argv[0] = "trundle verify";
-    argp_parse(&argp, argc, argv, 0, NULL, &a);
+    tr_cli_parse(&argp, argc, argv, &a);
     if (a.dir && !a.list) tr_verify_claim(a.dir, &st);
     for (int i = 0; tr_verification_at(i) && !st.code; i++) {
         const tr_verification *which = tr_verification_at(i);

@@ -235,8 +235,9 @@ static bool add(const char *dir, const char *name, int frames, tr_status *st) {
         snprintf(frame, sizeof frame, "frames/%05d.png", k);
         ok = want(&l, dir, frame, names, st);
     }
-    bool closed = names && !fclose(names);
-    if ((!ok || !closed) && !st->code) ok = tr_status_fail(st, TR_FILE, "error: out of memory");
+    bool whole = names && !ferror(names);
+    if (names) whole = !fclose(names) && text && whole;
+    if ((!ok || !whole) && !st->code) ok = tr_status_fail(st, TR_FILE, "error: out of memory");
     if (ok && *text) ok = list_append(&l, dir, text, st);
     free(text);
     list_free(&l);

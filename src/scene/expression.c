@@ -6,9 +6,9 @@
  * made four times smaller, and so on. Powers of four stay exact through + - * / and sqrt. */
 #include "scene/expression.h"
 #include "base/alloc.h"
+#include "scene/formula.h"
 
 #include <math.h>
-#include <muParserDLL.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,7 +17,7 @@ enum { MAX_OPERANDS = TR_EXPRESSION_LENGTH, MAX_NAME = 64 };
 #define SLACK 1e-14 /* in a power found from a result: a few roundings of ^ */
 
 struct tr_expression {
-    muParserHandle_t parser;
+    tr_formula *formula;
     double values[MAX_OPERANDS]; /* of v0, v1, ... */
 };
 
@@ -202,15 +202,22 @@ static bool translate(translation *t, const char *text, const tr_names *names, t
     return depth == 0 || fail(problem, i, "a `)` is missing");
 }
 
+static bool ended_well(tr_formula_end end, tr_problem *problem) {
+    problem->no_memory = end == TR_FORMULA_NO_MEMORY;
+    if (problem->no_memory) return fail(problem, 0, "out of memory");
+    return end == TR_FORMULA_DONE || fail(problem, 0, "this cannot be computed; use parentheses");
+}
+
 /* The result when the units of mass, length and time are 4^-scale of what they are. check: zeros become tiny, so that
  * `0 mm` keeps its dimension. */
-static double evaluate(tr_expression *e, const translation *t, tr_dim scale, bool check) {
+static bool evaluate(tr_expression *e, const translation *t, tr_dim scale, bool check, double *value,
+                     tr_problem *problem) {
     for (int i = 0; i < t->n; i++) {
         tr_quantity q = t->operands[i].quantity;
         if (check && q.value == 0 && !t->operands[i].exponent) q.value = 0x1p-20;
         e->values[i] = ldexp(q.value, 2 * (q.dim.kg * scale.kg + q.dim.m * scale.m + q.dim.s * scale.s));
     }
-    return mupEval(e->parser);
+    return ended_well(tr_formula_evaluate(e->formula, value), problem);
 }
 
 /* "in m s^-1", from the powers of kg, m, s. */
@@ -230,9 +237,13 @@ static bool describe(tr_problem *problem, const double power[3]) {
 
 static bool check_dimension(tr_expression *e, const translation *t, tr_dim dim, tr_problem *problem) {
     const tr_dim scale[3] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
-    double base = evaluate(e, t, (tr_dim)TR_DIM_NUMBER, true), power[3];
+    double base, power[3];
+    if (!evaluate(e, t, (tr_dim)TR_DIM_NUMBER, true, &base, problem)) return false;
     if (base == 0) return true; /* 1 mm - 1 mm */
-    for (int i = 0; i < 3; i++) power[i] = log2(evaluate(e, t, scale[i], true) / base) / 2;
+    for (int i = 0; i < 3; i++) {
+        if (!evaluate(e, t, scale[i], true, &power[i], problem)) return false;
+        power[i] = log2(power[i] / base) / 2;
+    }
     bool same = fabs(power[0] - dim.kg) < SLACK && fabs(power[1] - dim.m) < SLACK && fabs(power[2] - dim.s) < SLACK;
     return same || describe(problem, power);
 }
@@ -240,15 +251,16 @@ static bool check_dimension(tr_expression *e, const translation *t, tr_dim dim, 
 bool tr_expression_value(tr_expression *e, const char *text, tr_dim dim, const tr_names *names, double *value,
                          tr_problem *problem) {
     problem->at = 0;
+    problem->no_memory = false;
     if (strlen(text) > TR_EXPRESSION_LENGTH) return fail(problem, 0, "this value is longer than 200 characters");
     translation t;
     t.length = 0;
     t.n = 0;
     t.named = false;
     if (!translate(&t, text, names, problem)) return false;
-    mupSetExpr(e->parser, t.text);
-    *value = evaluate(e, &t, (tr_dim)TR_DIM_NUMBER, false);
-    if (mupError(e->parser)) return fail(problem, 0, "this cannot be computed; use parentheses");
+    if (!ended_well(tr_formula_set(e->formula, t.text), problem) ||
+        !evaluate(e, &t, (tr_dim)TR_DIM_NUMBER, false, value, problem))
+        return false;
     problem->at = 0;
     if (!isfinite(*value)) return fail(problem, 0, "the result is not a finite number");
     return !t.named || check_dimension(e, &t, dim, problem);
@@ -257,17 +269,13 @@ bool tr_expression_value(tr_expression *e, const char *text, tr_dim dim, const t
 tr_expression *tr_expression_new(tr_status *st) {
     tr_expression *e = tr_alloc(1, sizeof *e, st);
     if (!e) return NULL;
-    e->parser = mupCreate(muBASETYPE_FLOAT);
-    for (int i = 0; i < MAX_OPERANDS; i++) {
-        char name[16];
-        snprintf(name, sizeof name, "v%d", i);
-        mupDefineVar(e->parser, name, &e->values[i]);
-    }
+    e->formula = tr_formula_new(e->values, MAX_OPERANDS, st);
+    if (!e->formula) free(e), e = NULL;
     return e;
 }
 
 void tr_expression_free(tr_expression *e) {
     if (!e) return;
-    mupRelease(e->parser);
+    tr_formula_free(e->formula);
     free(e);
 }

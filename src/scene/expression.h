@@ -23,6 +23,7 @@ typedef struct tr_quantity {
 /* What is wrong with a text, and at which character of it (from 0). */
 typedef struct tr_problem {
     size_t at;
+    bool no_memory; /* the text is not to blame */
     char text[320];
 } tr_problem;
 

@@ -132,8 +132,10 @@ static bool read_number(tr_resolver *r, tr_entry *e, const char *text, double *v
     tr_problem problem;
     const tr_dim number = TR_DIM_NUMBER;
     if (!tr_expression_value(r->expression, text, p->type == TR_REAL ? tr_dim_of(p->dim, r->shape) : number,
-                             &(tr_names){find, &q}, value, &problem))
+                             &(tr_names){find, &q}, value, &problem)) {
+        if (problem.no_memory) return tr_status_fail(r->st, TR_FILE, "error: out of memory");
         return fail(r, e, problem.at, "%s (`%s` is %s%s)", problem.text, key, *unit ? "in " : "a number", unit);
+    }
     if (p->type == TR_COUNT && *value != floor(*value))
         return fail(r, e, 0, "`%s` must be a whole number, %g to %g", key, p->min, p->max);
     if (!(*value >= p->min && *value <= p->max))
