@@ -12,6 +12,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 enum { MAX_OPERANDS = TR_EXPRESSION_LENGTH, MAX_NAME = 64 };
 #define SLACK 1e-14 /* in a power found from a result: a few roundings of ^ */
@@ -28,17 +29,28 @@ typedef struct unit {
 } unit;
 
 static const unit units[] = {
-    {"kg", 1, {1, 0, 0, 0}},      {"g", 1e-3, {1, 0, 0, 0}},
-    {"t", 1e3, {1, 0, 0, 0}},     {"m", 1, {0, 1, 0, 0}},
-    {"mm", 1e-3, {0, 1, 0, 0}},   {"cm", 1e-2, {0, 1, 0, 0}},
-    {"um", 1e-6, {0, 1, 0, 0}},   {"km", 1e3, {0, 1, 0, 0}},
-    {"s", 1, {0, 0, 1, 0}},       {"ms", 1e-3, {0, 0, 1, 0}},
-    {"us", 1e-6, {0, 0, 1, 0}},   {"min", 60, {0, 0, 1, 0}},
-    {"N", 1, {1, 1, -2, 0}},      {"kN", 1e3, {1, 1, -2, 0}},
-    {"MN", 1e6, {1, 1, -2, 0}},   {"Pa", 1, {1, -1, -2, 0}},
-    {"kPa", 1e3, {1, -1, -2, 0}}, {"MPa", 1e6, {1, -1, -2, 0}},
-    {"GPa", 1e9, {1, -1, -2, 0}}, {"J", 1, {1, 2, -2, 0}},
-    {"Hz", 1, {0, 0, -1, 0}},     {"deg", M_PI / 180, {0, 0, 0, 0}},
+    {"kg", 1, {1, 0, 0, 0}},
+    {"g", 1e-3, {1, 0, 0, 0}},
+    {"t", 1e3, {1, 0, 0, 0}},
+    {"m", 1, {0, 1, 0, 0}},
+    {"mm", 1e-3, {0, 1, 0, 0}},
+    {"cm", 1e-2, {0, 1, 0, 0}},
+    {"um", 1e-6, {0, 1, 0, 0}},
+    {"km", 1e3, {0, 1, 0, 0}},
+    {"s", 1, {0, 0, 1, 0}},
+    {"ms", 1e-3, {0, 0, 1, 0}},
+    {"us", 1e-6, {0, 0, 1, 0}},
+    {"min", 60, {0, 0, 1, 0}},
+    {"N", 1, {1, 1, -2, 0}},
+    {"kN", 1e3, {1, 1, -2, 0}},
+    {"MN", 1e6, {1, 1, -2, 0}},
+    {"Pa", 1, {1, -1, -2, 0}},
+    {"kPa", 1e3, {1, -1, -2, 0}},
+    {"MPa", 1e6, {1, -1, -2, 0}},
+    {"GPa", 1e9, {1, -1, -2, 0}},
+    {"J", 1, {1, 2, -2, 0}},
+    {"deg", M_PI / 180, {0, 0, 0, 0}},
+    {"rpm", M_PI / 30, {0, 0, -1, 0}},
     {"rad", 1, {0, 0, 0, 0}},
 };
 
@@ -79,8 +91,14 @@ static const unit *find_unit(const char *name) {
     return NULL;
 }
 
+/* Hz, kHz, mHz, hz: known, to be refused. A turn a second to some and 1/s to others. */
+static bool is_hertz(const char *name) {
+    size_t n = strlen(name);
+    return (n == 2 || n == 3) && strcasecmp(name + n - 2, "Hz") == 0;
+}
+
 bool tr_expression_reserved(const char *name) {
-    return find_unit(name) || is_function(name) || strcmp(name, "pi") == 0;
+    return find_unit(name) || is_hertz(name) || is_function(name) || strcmp(name, "pi") == 0;
 }
 
 /* 12, 1.5, .5, 2e-3: its length, 0 when there is none. */
@@ -147,6 +165,10 @@ static bool translate_name(translation *t, const char *text, size_t at, size_t n
     if (*open && !call) return fail(problem, at, "a function needs its argument in parentheses, as in sqrt(2)");
     if (!*open && call) return fail(problem, at, "not a function; allowed are sqrt exp sin cos tan atan");
     if (*open) return emit(t, name), true;
+    if (is_hertz(name))
+        return fail(problem, at,
+                    "Hz is not a unit here: a turn a second is 2*pi*rad/s, not 1 rad/s; write rad/s, deg/s or rpm "
+                    "(1 Hz = 2*pi*rad/s = 360 deg/s = 60 rpm)");
     tr_quantity quantity = {M_PI, TR_DIM_NUMBER};
     if (strcmp(name, "pi") != 0) {
         t->named = true;

@@ -12,8 +12,8 @@
 
 enum { TR_EXPRESSION_LENGTH = 200 }; /* longer text is refused */
 
-/* The units, for messages. Hz is 1/s; an angle is a number, so rad is 1. */
-#define TR_EXPRESSION_UNITS "kg g t m mm cm um km s ms us min N kN MN Pa kPa MPa GPa J Hz deg rad"
+/* The units, for messages. An angle is a number, so rad is 1 and rpm, a turn a minute, is 2 pi/60 s^-1. Hz is refused. */
+#define TR_EXPRESSION_UNITS "kg g t m mm cm um km s ms us min N kN MN Pa kPa MPa GPa J deg rad rpm"
 
 typedef struct tr_quantity {
     double value; /* SI */
@@ -46,7 +46,7 @@ void tr_expression_free(tr_expression *e);
 bool tr_expression_value(tr_expression *e, const char *text, tr_dim dim, const tr_names *names, double *value,
                          tr_problem *problem);
 
-/* A unit, a function or pi: no key may be called so. */
+/* A unit, Hz, a function or pi: no key may be called so. */
 bool tr_expression_reserved(const char *name);
 
 #endif

@@ -119,12 +119,12 @@ static const bad_case rows[] = {
     {"kind: biaxial\nsample: {r_min: 1   mx, r_max: 2 mm}\ncontact: {k_n: 1 MPa}\ncompaction: {pressure: 1 kPa}\n", 0,
      NULL,
      "a.yaml:2:21: error: unknown name `mx`; a name is a key of this mapping, section.key, or a unit: kg g t m mm cm "
-     "um km s ms us min N kN MN Pa kPa MPa GPa J Hz deg rad (`r_min` is in m)\nsample: {r_min: 1   mx, r_max: 2 mm}\n  "
+     "um km s ms us min N kN MN Pa kPa MPa GPa J deg rad rpm (`r_min` is in m)\nsample: {r_min: 1   mx, r_max: 2 mm}\n  "
      "                  ^"},
     {"kind: biaxial\nsample: {r_min: r_mix, r_max: 2 mm}\ncontact: {k_n: 1 MPa}\ncompaction: {pressure: 1 kPa}\n", 0,
      NULL,
      "a.yaml:2:17: error: unknown name `r_mix` (did you mean `r_min`?); a name is a key of this mapping, section.key, "
-     "or a unit: kg g t m mm cm um km s ms us min N kN MN Pa kPa MPa GPa J Hz deg rad (`r_min` is in m)\nsample: "
+     "or a unit: kg g t m mm cm um km s ms us min N kN MN Pa kPa MPa GPa J deg rad rpm (`r_min` is in m)\nsample: "
      "{r_min: r_mix, r_max: 2 mm}\n                ^"},
     {"kind: biaxial\nsample: {r_min: 3 mm, r_max: 2 mm}\ncontact: {k_n: 1 MPa}\ncompaction: {pressure: 1 kPa}\n", 0,
      NULL,
@@ -222,6 +222,10 @@ static const bad_case rows[] = {
      "a.yaml:5:5: error: `disks.0.y` is missing: centre at the start [m]\n  - radius: 1\n    ^"},
     {NO_DISKS "disks: []\n", 0, NULL,
      "a.yaml:4:8: error: `disks` has 0 items, allowed is 1 to 1000\ndisks: []\n       ^"},
+    {NO_DISKS "disks: [{radius: 1, x: 0, y: 0, spin: 1 Hz}]\n", 0, NULL,
+     "a.yaml:4:41: error: Hz is not a unit here: a turn a second is 2*pi*rad/s, not 1 rad/s; write rad/s, deg/s or rpm "
+     "(1 Hz = 2*pi*rad/s = 360 deg/s = 60 rpm) (`spin` is in rad/s)\ndisks: [{radius: 1, x: 0, y: 0, spin: 1 Hz}]\n    "
+     "                                    ^"},
     {GOOD_BODIES "walls: [{nx: 0, ny: 0}]\n", 0, NULL,
      "a.yaml:5:9: error: the normal (nx, ny) of `walls.0` is zero\nwalls: [{nx: 0, ny: 0}]\n        ^"},
     {GOOD, 0, "shear.inertial_numbr=1e-4",

@@ -65,7 +65,11 @@ static void accepts(void **state) {
         {"180 deg", number, 3.1415926535897931},
         {"pi", number, 3.1415926535897931},
         {"2*pi", spin, 6.2831853071795862},
-        {"2 Hz", spin, 2},
+        {"60 rpm", spin, 6.2831853071795862}, /* a turn a second */
+        {"rpm*1 min", number, 6.2831853071795862},
+        {"360 deg/s", spin, 6.2831853071795862},
+        {"1 rad/s", spin, 1},
+        {"1/s", spin, 1},
         {"sin(30 deg)", number, 0.5},
         {"cos(60 deg)", number, 0.5},
         {"4*atan(1)", number, 3.1415926535897931},
@@ -97,6 +101,8 @@ static void accepts(void **state) {
 static void refuses(void **state) {
     (void)state;
     const char *const mixes = "mixes dimensions: a sum needs equal ones, a function and a power need numbers";
+    const char *const hertz = "Hz is not a unit here: a turn a second is 2*pi*rad/s, not 1 rad/s; write rad/s, deg/s or "
+                              "rpm (1 Hz = 2*pi*rad/s = 360 deg/s = 60 rpm)";
     const char *const operand = "expected a number, a unit, a key or `(` here";
     const char *const operator= "expected + - * / ^ or the end here";
     const char *const character = "this character cannot stand in a value; allowed are numbers, names, + - * / ^ ( )";
@@ -116,6 +122,11 @@ static void refuses(void **state) {
                          operator},
                          {"1e", 1, "unknown"},
                          {"1 mx", 2, "unknown"},
+                         {"1 Hz", 2, hertz},
+                         {"2*pi*kHz", 5, hertz},
+                         {"1/(3 MHz)", 5, hertz},
+                         {"1hz", 1, hertz},
+                         {"30 rpm", 0, "wrong dimension: this is in s^-1"},
                          {"nan", 0, "unknown"},
                          {"inf", 0, "unknown"},
                          {"0x10", 1, "unknown"},

@@ -579,6 +579,20 @@ static void shipped_cases(void **state) {
     globfree(&files);
 }
 
+/* A turn a second, however it is written; 1e-15 is a few roundings. */
+static void turns_a_second(void **state) {
+    (void)state;
+    const char *const sets[] = {"disks.0.spin=60 rpm", "disks.1.spin=360 deg/s", "gravity.turn=2*pi*rad/s",
+                                "disks.1.orbit=2*pi/s"};
+    tr_scene s = read_ok(bodies_case, sets, 4);
+    const double turn = 6.2831853071795865;
+    assert_close(s.disks[0].spin, turn, 1e-15, 0);
+    assert_close(s.disks[1].spin, turn, 1e-15, 0);
+    assert_close(s.gravity.turn, turn, 1e-15, 0);
+    assert_close(s.disks[1].orbit, turn, 1e-15, 0);
+    tr_scene_free(&s);
+}
+
 /* A torque where spin follows from moments; an orbit at rest. */
 static void motions(void **state) {
     (void)state;
@@ -599,7 +613,7 @@ static void sets(void **state) {
     s = set_ok(biaxial_case, " step . safety = 1/4 "); /* the section is not in the file */
     assert_close(s.step.safety, 0.25, 0, 0);
     tr_scene_free(&s);
-    s = set_ok(bodies_case, "disks.1.spin=2 Hz");
+    s = set_ok(bodies_case, "disks.1.spin=2 rad/s");
     assert_close(s.disks[1].spin, 2, 0, 0);
     tr_scene_free(&s);
     s = set_ok("kind: bodies\ntime_end: 1\ncontact: {k_n: 1}\noutput:\ndisks: [{radius: 1, x: 0, y: 0}]",
@@ -736,6 +750,7 @@ int main(void) {
         cmocka_unit_test(motions),
         cmocka_unit_test(documents),
         cmocka_unit_test(documents_with_any_two_laws),
+        cmocka_unit_test(turns_a_second),
         cmocka_unit_test(sets),
         cmocka_unit_test(laws_not_chosen),
         cmocka_unit_test(laws_share_a_key),
