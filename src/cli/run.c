@@ -114,11 +114,20 @@ void tr_cli_name(const char *file, char *name, size_t size) {
     if (dot && dot != name) *dot = '\0';
 }
 
+/* From the first one on. */
+static void print_notes(const tr_run_report *r, int first) {
+    for (int k = first; k < r->n_notes; k++) fprintf(stderr, "note: %s\n", r->note[k]);
+}
+
+static void print_warnings(const tr_run_report *r) {
+    print_notes(r, 0);
+}
+
 static void print_report(const tr_run_report *r, const char *dir) {
     for (int k = 0; k < r->n_lines; k++) printf("%-22s %s\n", r->line[k].label, r->line[k].value);
     printf("%-22s %s\n", "results", dir);
     fflush(stdout);
-    for (int k = 0; k < r->n_notes; k++) fprintf(stderr, "note: %s\n", r->note[k]);
+    print_notes(r, r->n_warnings);
 }
 
 static int run(const arguments *a) {
@@ -133,8 +142,8 @@ static int run(const arguments *a) {
     char name[256], dir[300];
     tr_cli_name(a->file, name, sizeof name);
     snprintf(dir, sizeof dir, "out/%s", name);
+    tr_run_report report;
     if (!a->check) {
-        tr_run_report report;
         tr_progress progress = tr_progress_begin();
         tr_run_options options = {.dir = a->dir ? a->dir : dir,
                                   .case_file = a->file,
@@ -145,13 +154,15 @@ static int run(const arguments *a) {
                                   .sample = a->sample,
                                   .stop = tr_cli_stop(),
                                   .progress = tr_progress_show,
-                                  .context = &progress};
+                                  .context = &progress,
+                                  .foretold = print_warnings};
         bool ok = tr_run(&scene, &options, &report, &st);
         tr_progress_end(&progress);
         if (ok) print_report(&report, options.dir);
         if (ok && report.failed)
             tr_status_fail(&st, TR_CHECK_FAILED, "error: %d of the checks of %s failed", report.failed, a->file);
-    } else if (tr_run_check(&scene, &st)) {
+    } else if (tr_run_check(&scene, &report, &st)) {
+        print_warnings(&report);
         printf("%s: ok\n", a->file);
     }
     tr_scene_free(&scene);

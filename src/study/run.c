@@ -56,12 +56,12 @@ static bool run(const tr_scene *scene, const tr_run_options *options, tr_run_rep
     return false;
 }
 
-bool tr_run_check(const tr_scene *scene, tr_status *st) {
+static bool check(const tr_scene *scene, tr_run_report *report, tr_status *st) {
     switch (scene->kind) {
     case TR_KIND_BIAXIAL:
         return tr_run_check_biaxial(scene, st);
     case TR_KIND_BODIES:
-        return tr_run_check_bodies(scene, st);
+        return tr_run_check_bodies(scene, report, st);
     case TR_KIND_CONTACT:
     case TR_KIND_PATCH:
         return tr_run_check_path(scene, st);
@@ -69,10 +69,18 @@ bool tr_run_check(const tr_scene *scene, tr_status *st) {
     return false;
 }
 
-bool tr_run(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st) {
+bool tr_run_check(const tr_scene *scene, tr_run_report *report, tr_status *st) {
     *report = (tr_run_report){0};
+    bool ok = check(scene, report, st);
+    report->n_warnings = report->n_notes;
+    return ok;
+}
+
+bool tr_run(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st) {
     int lock = -1;
-    bool ok = tr_run_check(scene, st) && tr_dir_lock(options->dir, &lock, st) && run(scene, options, report, st);
+    bool ok = tr_run_check(scene, report, st);
+    if (ok && options->foretold) options->foretold(report);
+    ok = ok && tr_dir_lock(options->dir, &lock, st) && run(scene, options, report, st);
     if (lock >= 0) close(lock);
     return ok;
 }

@@ -7,6 +7,8 @@
 #include "scene/scene.h"
 #include <signal.h>
 
+typedef struct tr_run_report tr_run_report;
+
 typedef struct tr_run_options {
     const char *dir;       /* where results go */
     const char *case_file; /* where the scene was read: the run refuses to write over it; may be NULL */
@@ -18,20 +20,23 @@ typedef struct tr_run_options {
     const volatile sig_atomic_t *stop;                                   /* set it to stop cleanly */
     void (*progress)(void *context, const char *stage, double fraction); /* called often; may be NULL */
     void *context;
+    void (*foretold)(const tr_run_report *report); /* once, before the run: report->n_warnings; may be NULL */
 } tr_run_options;
 
-/* The short table of results, and what was not made. */
-typedef struct tr_run_report {
+/* The short table of results, and what was not made or may not be meant. */
+struct tr_run_report {
     int n_lines, n_notes;
     struct tr_report_line {
         char label[40], value[160];
-    } line[24 + TR_MAX_LANES * 32]; /* 32: checks of a scene */
-    int failed;                     /* checks; the run is complete all the same */
-    char note[8][200];
-} tr_run_report;
+    } line[24 + TR_MAX_LANES * 32];       /* 32: checks of a scene */
+    int failed;                           /* checks; the run is complete all the same */
+    int n_warnings;                       /* the first of the notes: known before the run */
+    char note[8 + 3 * TR_MAX_LANES][400]; /* 3: warnings of a scene */
+};
 
-/* Finds what reading a case cannot: a step above the bound, a sample without room, bodies that overlap too much. */
-bool tr_run_check(const tr_scene *scene, tr_status *st);
+/* Finds what reading a case cannot: a step above the bound, a sample without room, bodies that overlap too much. *report gets notes of
+ * what may not be meant (n_warnings). */
+bool tr_run_check(const tr_scene *scene, tr_run_report *report, tr_status *st);
 
 /* Runs the case. What tr_run_check finds is found before the directory is touched. Stopped: TR_INTERRUPTED, numerical
  * failure: TR_NUMERICAL, a file that cannot be written: TR_FILE; each keeps the rows, frames and film up to then and

@@ -12,6 +12,7 @@
 #include "study/picture.h"
 #include "study/play.h"
 #include "study/run_internal.h"
+#include "study/warn.h"
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
@@ -209,12 +210,15 @@ static void report_bodies(show *s, const tr_timing *timing) {
     tr_run_say(r, "wall time", "%.1f s", timing->wall_s);
 }
 
-bool tr_run_check_bodies(const tr_scene *scene, tr_status *st) {
+bool tr_run_check_bodies(const tr_scene *scene, tr_run_report *report, tr_status *st) {
     tr_bodies *b = tr_alloc(1, sizeof *b, st);
     bool ok = b;
     for (int i = 0; i <= scene->n_more && ok; i++) {
-        ok = tr_bodies_init(b, i ? &scene->more[i - 1] : scene, st);
-        if (ok) tr_bodies_free(b);
+        const tr_scene *each = i ? &scene->more[i - 1] : scene;
+        ok = tr_bodies_init(b, each, st);
+        if (!ok) break;
+        tr_warn_bodies(b, scene->n_more ? each->label : "", report);
+        tr_bodies_free(b);
     }
     free(b);
     return ok;

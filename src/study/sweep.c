@@ -123,8 +123,9 @@ bool tr_grid_state(const tr_grid *g, int point, const char *dir, tr_point_state 
     *state = whole ? same ? TR_POINT_FINISHED : TR_POINT_OTHER : same ? TR_POINT_BEGUN : TR_POINT_MISSING;
     free(text);
     tr_status inner = {0};
+    tr_run_report notes; /* each point has them in its log */
     bool first = point < g->combinations;
-    if (!st->code && first && *state != TR_POINT_FINISHED && !tr_run_check(&scene, &inner)) {
+    if (!st->code && first && *state != TR_POINT_FINISHED && !tr_run_check(&scene, &notes, &inner)) {
         char **sets = tr_grid_sets(g, point, st);
         if (sets) blame(g, point, sets, &inner, st);
         tr_grid_sets_free(g, sets);

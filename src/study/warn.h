@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: MIT */
+/* What a run is likely to do other than its author means, said before it. Notes, not errors. */
+#ifndef TR_WARN_H
+#define TR_WARN_H
+
+#include "core/bodies.h"
+#include "study/run.h"
+
+/* Of a world that was just set up. label: of the scene, where there are several; else empty. */
+void tr_warn_bodies(const tr_bodies *b, const char *label, tr_run_report *report);
+
+#endif
