@@ -2,6 +2,7 @@
 #include "core/bodies.h"
 
 #include "base/alloc.h"
+#include "core/resolution.h"
 #include "core/step.h"
 #include "core/timestep.h"
 #include <math.h>
@@ -97,7 +98,7 @@ bool tr_bodies_init(tr_bodies *b, const tr_scene *scene, tr_status *st) {
     *b = (tr_bodies){.scene = scene};
     bool ok = tr_world_init(world, scene->n_disks, scene->shape, st) && fill(b, scene, st) &&
               tr_world_set_laws(world, &scene->contact, false, TR_SINK_ARCS, st) && choose_step(b, scene, st) &&
-              tr_step_forces(world, st);
+              tr_resolution_check(b, st) && tr_step_forces(world, st);
     if (!ok) return tr_bodies_free(b), false;
     for (int k = 0; k < 4 * world->disks.n; k++)
         world->disks.vel[k] -= 0.5 * world->dt * world->disks.inv[k] * world->disks.force[k];

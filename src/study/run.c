@@ -59,7 +59,7 @@ static bool run(const tr_scene *scene, const tr_run_options *options, tr_run_rep
 static bool check(const tr_scene *scene, tr_run_report *report, tr_status *st) {
     switch (scene->kind) {
     case TR_KIND_BIAXIAL:
-        return tr_run_check_biaxial(scene, st);
+        return tr_run_check_biaxial(scene, report, st);
     case TR_KIND_BODIES:
         return tr_run_check_bodies(scene, report, st);
     case TR_KIND_CONTACT:

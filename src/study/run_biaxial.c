@@ -9,6 +9,7 @@
 #include "study/inset.h"
 #include "study/packing.h"
 #include "study/run_internal.h"
+#include "study/warn.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -358,9 +359,10 @@ static bool summarise(test *t, double started, double updates_per_s, tr_status *
     return ok;
 }
 
-bool tr_run_check_biaxial(const tr_scene *scene, tr_status *st) {
+bool tr_run_check_biaxial(const tr_scene *scene, tr_run_report *report, tr_status *st) {
     tr_biaxial *b = tr_alloc(1, sizeof *b, st);
     bool ok = b && tr_biaxial_init(b, scene, st);
+    if (ok) tr_warn_biaxial(b, report);
     if (ok) tr_biaxial_free(b);
     free(b);
     return ok;

@@ -25,7 +25,7 @@ void tr_run_drop_path(tr_scene *played);
 
 /* One row of contact.csv. */
 void tr_run_contact_row(tr_row *row, const tr_contact_state *s);
-bool tr_run_check_biaxial(const tr_scene *scene, tr_status *st);
+bool tr_run_check_biaxial(const tr_scene *scene, tr_run_report *report, tr_status *st);
 bool tr_run_check_bodies(const tr_scene *scene, tr_run_report *report, tr_status *st);
 
 /* What stays the same in every frame of a biaxial test: one scale and one box for the whole film. */

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "study/warn.h"
 
+#include "core/resolution.h"
 #include "core/tangent.h"
 #include "study/run_internal.h"
+#include <math.h>
 #include <stdio.h>
 
 enum { NAMES = 80 };
@@ -31,8 +33,40 @@ static void warn_tangent(const tr_bodies *b, const char *of, tr_run_report *repo
                     of, names, t.gap, t.overlap, t.force, unit, t.moved, t.x, t.y, more);
 }
 
+static void warn_resolution(const tr_bodies *b, const char *of, tr_run_report *report) {
+    tr_resolution r;
+    char names[NAMES];
+    if (tr_resolution_overlap(b, &r)) {
+        name_pair(r.a, r.b, names);
+        tr_run_note(
+            report,
+            "%s%s: numbers near %.4g m are %.2g m apart, and an overlap of about %.2g m is made of them: it may "
+            "be off by %.2g of itself. Stay nearer to the origin (0, 0), or take softer contacts",
+            of, names, r.reach, r.spacing, r.size, r.spacing / r.size);
+    }
+    if (tr_resolution_way(b, &r)) {
+        tr_run_note(
+            report,
+            "%s%s %d moves by %.2g m a step, and numbers near %.4g m are %.2g m apart: its way may be off by %.2g "
+            "of itself. Stay nearer to the origin (0, 0), or take a larger step.dt",
+            of, r.b < 0 ? "wall" : "disk", r.b < 0 ? -1 - r.b : r.b, r.size, r.reach, r.spacing,
+            fmin(1, 0.5 * r.spacing / r.size));
+    }
+}
+
 void tr_warn_bodies(const tr_bodies *b, const char *label, tr_run_report *report) {
     char of[64] = "";
     if (*label) snprintf(of, sizeof of, "%s: ", label);
     warn_tangent(b, of, report);
+    warn_resolution(b, of, report);
+}
+
+void tr_warn_biaxial(const tr_biaxial *b, tr_run_report *report) {
+    tr_resolution r;
+    if (tr_resolution_biaxial(b, &r))
+        tr_run_note(
+            report,
+            "contacts are too stiff for the pressure: numbers across the sample, %.2g m, are %.2g m apart, and a "
+            "mean overlap of %.2g m is made of them: it may be off by %.2g of itself",
+            r.reach, r.spacing, r.size, r.spacing / r.size);
 }

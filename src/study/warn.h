@@ -3,10 +3,12 @@
 #ifndef TR_WARN_H
 #define TR_WARN_H
 
+#include "core/biaxial.h"
 #include "core/bodies.h"
 #include "study/run.h"
 
 /* Of a world that was just set up. label: of the scene, where there are several; else empty. */
 void tr_warn_bodies(const tr_bodies *b, const char *label, tr_run_report *report);
+void tr_warn_biaxial(const tr_biaxial *b, tr_run_report *report);
 
 #endif

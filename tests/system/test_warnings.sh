@@ -28,4 +28,25 @@ check 'has no note' test ! -s stderr
 { cat gears.yaml; printf -- '---\nlabel: second\ndisks:\n'; sed -n 's/, spin: 1//; /radius/p' gears.yaml; } >two.yaml
 check 'several scenes' run_gives 0 two.yaml --check
 check 'the label tells which one is meant' once '^note: second: disks 0 and 1 only touch'
+
+cat >far.yaml <<'CASE'
+kind: bodies
+time_end: 1 us
+contact: {k_n: 1 MPa, damping_ratio: 0, friction: none, rolling: none}
+disks:
+  - {radius: 1 um, x: 1e5, y: 0, vx: 0.2}
+  - {radius: 1 um, x: 1e5 + 2.01e-6, y: 0}
+output: {rows: 4, contacts: 0, frames: 0}
+CASE
+check 'small disks far out: the run is done' run_gives 0 far.yaml -o far
+check 'told of' once '^note: disks 0 and 1: numbers near 1e+05 m are 1.5e-11 m apart'
+check 'what they do in a step too' once '^note: disk 0 moves by 2.6e-09 m a step'
+check 'near the origin: no note' run_gives 0 far.yaml -o near --set disks.0.x=0 --set disks.1.x=2.01e-6
+check 'none' test ! -s stderr
+check 'too far for any overlap: refused' run_gives 2 far.yaml -o refused --set disks.0.radius=1e-9
+check 'before a directory is made' not test -e refused
+write_small_case stiff.yaml
+check 'a sample that is too stiff is told of' run_gives 0 stiff.yaml --check --set contact.k_n=1e15 \
+    --set compaction.inertial_number=1
+check 'with the reason' says stderr 'note: contacts are too stiff for the pressure'
 finish
