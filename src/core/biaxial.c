@@ -81,8 +81,8 @@ static bool check_reach(const tr_biaxial *b, double dense, tr_status *st) {
         st, TR_BAD_CASE,
         "error: the periodic cell would be too thin: about %.3g m high at the end of the shear, and it "
         "must be above %.3g m, twice the largest disk and the skin of the contact list; give more "
-        "sample.disks or a smaller shear.strain_end",
-        height, least);
+        "sample.disks%s",
+        height, least, dense > least ? " or a smaller shear.strain_end" : "");
 }
 
 bool tr_biaxial_init(tr_biaxial *b, const tr_scene *scene, tr_status *st) {

@@ -79,8 +79,29 @@ bool tr_sample_number(tr_world *world, const double *pos, double side, double de
     return order != NULL;
 }
 
+/* Disk after disk to the first place that is free. false: one has found none, which is luck where disks are few: two that lie
+ * badly can leave no room for a third. In a box that is wide enough there always is room. */
+static bool fill(grid *g, double *pos, int n, double L, tr_random *random) {
+    enum { MOST_TRIES = 10000000 };
+    for (int c = 0; c < g->cells * g->cells; c++) g->head[c] = -1;
+    for (int i = 0; i < n; i++) {
+        double R = pos[4 * (size_t)i + 3], edge = g->side > 0 ? 0 : R, x, y;
+        int tries = 0;
+        do {
+            if (tries++ == MOST_TRIES) return false;
+            x = edge + (L - 2 * edge) * tr_random_uniform(random);
+            y = edge + (L - 2 * edge) * tr_random_uniform(random);
+        } while (!is_free(g, pos, x, y, R));
+        pos[4 * (size_t)i] = x, pos[4 * (size_t)i + 1] = y;
+        int *head = &g->head[cell_of(g, y) * g->cells + cell_of(g, x)];
+        g->next[i] = *head, *head = i;
+    }
+    return true;
+}
+
 bool tr_sample_throw(tr_world *world, const tr_scene_sample *sample, bool periodic, uint64_t seed, double *side,
                      tr_status *st) {
+    const double wider = 1.25;
     tr_random random = tr_random_seed(seed, 1);
     int n = sample->disks;
     double *pos = tr_alloc((size_t)n * 4, sizeof *pos, st), area = 0;
@@ -90,30 +111,18 @@ bool tr_sample_throw(tr_world *world, const tr_scene_sample *sample, bool period
             sample->r_min + (sample->r_max - sample->r_min) * tr_random_uniform(&random);
         area += M_PI * R * R;
     }
-    double L = *side = fmax(sqrt(area / LOOSE_FRACTION), 4 * sample->r_max);
-    grid g = {.cells = (int)fmax(1, fmin(L / (2 * sample->r_max), 20000)),
-              .next = tr_alloc((size_t)n, sizeof(int), st)};
-    g.width = L / g.cells, g.side = periodic ? L : 0;
-    size_t cells = (size_t)g.cells * (size_t)g.cells;
-    g.head = tr_alloc(cells, sizeof(int), st);
-    bool ok = g.head && g.next;
-    for (size_t c = 0; ok && c < cells; c++) g.head[c] = -1;
-    for (int i = 0; ok && i < n; i++) {
-        double R = pos[4 * (size_t)i + 3], edge = periodic ? 0 : R, x, y;
-        int64_t tries = 0;
-        do {
-            x = edge + (L - 2 * edge) * tr_random_uniform(&random);
-            y = edge + (L - 2 * edge) * tr_random_uniform(&random);
-            ok = ++tries < 10000000;
-        } while (ok && !is_free(&g, pos, x, y, R));
-        if (!ok)
-            tr_status_fail(st, TR_NUMERICAL,
-                           "error: no room for disk %d of %d in the loose sample: is r_max/r_min too large?", i, n);
-        pos[4 * (size_t)i] = x, pos[4 * (size_t)i + 1] = y;
-        int *head = &g.head[cell_of(&g, y) * g.cells + cell_of(&g, x)];
-        g.next[i] = *head, *head = i;
+    grid g = {.next = tr_alloc((size_t)n, sizeof(int), st)};
+    bool filled = false;
+    double L = fmax(sqrt(area / LOOSE_FRACTION), 4 * sample->r_max);
+    for (; g.next && !filled && !st->code; L *= filled ? 1 : wider) {
+        g.cells = (int)fmax(1, fmin(L / (2 * sample->r_max), 20000));
+        g.width = L / g.cells, g.side = periodic ? L : 0;
+        g.head = tr_alloc((size_t)g.cells * (size_t)g.cells, sizeof(int), st);
+        filled = g.head && fill(&g, pos, n, L, &random);
+        free(g.head);
     }
-    ok = ok && tr_sample_number(world, pos, L, sample->density, st);
-    free(pos), free(g.head), free(g.next);
+    *side = L;
+    bool ok = filled && tr_sample_number(world, pos, L, sample->density, st);
+    free(pos), free(g.next);
     return ok;
 }

@@ -6,8 +6,9 @@
 
 #include "core/world.h"
 
-/* Fills a fresh world of sample->disks disks at rest, radii uniform in [r_min, r_max], in the box [0, *side]^2 of solid
- * fraction 0.4, by random sequential addition. */
+/* Fills a fresh world of sample->disks disks at rest, radii uniform in [r_min, r_max], in the box [0, *side]^2, by random
+ * sequential addition. The solid fraction of the box is 0.4, or less where few disks find no room for one of them in it: then all
+ * are thrown again into a box 1.25 times as wide. It fails only where memory ends. */
 bool tr_sample_throw(tr_world *world, const tr_scene_sample *sample, bool periodic, uint64_t seed, double *side,
                      tr_status *st);
 
