@@ -17,19 +17,19 @@ FNR == 2 {
     next
 }
 {
-    strain = value("strain"); b = int(strain/0.05 + 1e-9); count[run, b]++
+    strain = value("strain"); b = int(strain/0.05 + 1e-9)
     near = strain > 0.205 && strain <= 0.255
-    at_23[run] += near
     for (name in column) {
-        sum[run, name, b] += value(name)
-        if (near) mean_23[run, name] += value(name)
+        if (value(name) == "") continue # an empty cell has no number
+        sum[run, name, b] += value(name); count[run, name, b]++
+        if (near) { mean_23[run, name] += value(name); at_23[run, name]++ }
     }
     stress = column["stress_1_Pa"] ? column["stress_1_Pa"] : column["stress_1_N_per_m"]
     if (b > 0) { held = ($stress + $(stress + 1))/2; s1[run] += held; s2[run] += held*held; sn[run]++ }
     if (b > blocks[run] + 0 && strain >= 0.05*(b + 1) - 0.0051) blocks[run] = b
 }
-function block(run, name, b) { return sum[run, name, b]/count[run, b] }
-function of(run, name) { return at_23[run] ? mean_23[run, name]/at_23[run] : "" }
+function block(run, name, b) { return sum[run, name, b]/count[run, name, b] }
+function of(run, name) { return at_23[run, name] ? mean_23[run, name]/at_23[run, name] : "" }
 function student(f,   x) { # 0.975 quantile: tables, then Abramowitz & Stegun 26.7.5
     if (f < 4) return f == 1 ? 12.7062 : f == 2 ? 4.30265 : 3.18245
     x = 1.959964

@@ -31,12 +31,14 @@ table == "replay-errors.csv" && $1 == "force" {
 }
 table == "replay-stress.csv" {
     late = $column["strain"] > half
-    rows[run, late]++
     for (i = 1; i <= NF; i++)
-        if (name[i] ~ /^sin_phi_/) sum[run, substr(name[i], 9), late] += $i
+        if (name[i] ~ /^sin_phi_/ && $i != "") { # an empty cell has no number
+            sum[run, substr(name[i], 9), late] += $i
+            rows[run, substr(name[i], 9), late]++
+        }
 }
 function energy(run, law) { return work[run, law "_J_per_m"] }
-function strength(run, law, late) { return sum[run, law, late] / rows[run, late] }
+function strength(run, law, late) { return sum[run, law, late] / rows[run, law, late] }
 function shift(run, law, late) { return strength(run, law, late) - (law == "exact" ? 0 : strength(run, "exact", late)) }
 BEGIN { half = 0.1 }
 END {

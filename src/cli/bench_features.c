@@ -10,6 +10,7 @@
 #include "base/alloc.h"
 #include "draw/draw.h"
 #include "laws/law.h"
+#include "out/table.h"
 #include "study/bench.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -86,9 +87,12 @@ static void write_row(const char *group, const char *name, const tr_bench_report
     snprintf(quartiles, sizeof quartiles, "%.1f to %.1f", r->ns.low, r->ns.high);
     printf("%-9s %-30s %6.1f %16s %6.2f %9.2f %11.0f %7d\n", group, name, r->ns.median, quartiles, r->share.median,
            r->us_per_step, r->bytes_per_disk, r->histories);
-    if (csv)
-        fprintf(csv, "%s,%s,%.3f,%.3f,%.3f,%.4f,%.3f,%.1f,%.1f,%d\n", group, name, r->ns.median, r->ns.low, r->ns.high,
-                r->share.median, r->us_per_step, r->touching, r->bytes_per_disk, r->histories);
+    const double number[] = {r->ns.median,   r->ns.low,   r->ns.high,        r->share.median,
+                             r->us_per_step, r->touching, r->bytes_per_disk, r->histories};
+    if (!csv) return;
+    fprintf(csv, "%s,%s", group, name);
+    for (size_t i = 0; i < sizeof number / sizeof *number; i++) putc(',', csv), tr_cell_put(csv, number[i], 6);
+    putc('\n', csv);
 }
 
 /* The full scene with its frames. */

@@ -3,6 +3,7 @@
 #include "cli/bench.h"
 #include "cli/cli.h"
 
+#include "out/table.h"
 #include "study/bench.h"
 #include <stdio.h>
 
@@ -14,10 +15,12 @@ static void write_row(const tr_bench_size *r, FILE *csv) {
     snprintf(quartiles, sizeof quartiles, "%.1f to %.1f", r->ns.low, r->ns.high);
     printf("%8d %11.2f %7.1f %16s %10.0f %8.0f %8.1f %8.2f %6.0f\n", r->disks, r->us.median, r->ns.median, quartiles,
            r->touching, r->steps, r->refreshes, r->rebuild, r->bytes_per_disk);
-    if (csv)
-        fprintf(csv, "%d,%.4f,%.4f,%.4f,%.3f,%.3f,%.3f,%.1f,%.1f,%.1f,%.1f,%.4f,%.1f\n", r->disks, r->us.median,
-                r->us.low, r->us.high, r->ns.median, r->ns.low, r->ns.high, r->touching, r->listed, r->steps,
-                r->refreshes, r->rebuild, r->bytes_per_disk);
+    const double number[] = {r->us.median, r->us.low, r->us.high, r->ns.median, r->ns.low,  r->ns.high,
+                             r->touching,  r->listed, r->steps,   r->refreshes, r->rebuild, r->bytes_per_disk};
+    if (!csv) return;
+    fprintf(csv, "%d", r->disks);
+    for (size_t i = 0; i < sizeof number / sizeof *number; i++) putc(',', csv), tr_cell_put(csv, number[i], 8);
+    putc('\n', csv);
 }
 
 static void write_all(const tr_bench_size *r, int n, FILE *csv) {

@@ -268,3 +268,7 @@ tr_biaxial_state tr_biaxial_read(tr_biaxial *b) {
     b->stress_steps = 0;
     return s;
 }
+
+double tr_biaxial_tan_phi(double sin_phi) {
+    return fabs(sin_phi) < 1 ? tan(asin(sin_phi)) : NAN;
+}

@@ -77,6 +77,9 @@ void tr_biaxial_shape(const tr_biaxial *b, tr_biaxial_state *state);
 /* After tr_biaxial_forces: all of it, and a new interval for the averages begins. */
 tr_biaxial_state tr_biaxial_read(tr_biaxial *b);
 
+/* Of an angle of friction there is one only where both stresses press; NaN where sin phi is not between -1 and 1. */
+double tr_biaxial_tan_phi(double sin_phi);
+
 /* Elastic normal stiffness of a contact of two mean disks that carries the force 2 R pressure [Pa]. */
 double tr_biaxial_stiffness(const tr_biaxial *b, double pressure);
 

@@ -29,6 +29,7 @@ tr_strength tr_summary_strength(const tr_series *s) {
     return r;
 }
 
+/* What is not finite has no number: null. */
 static void add(json_t *object, const char *key, double value) {
     json_object_set_new(object, key, isfinite(value) ? json_real(value) : json_null());
 }
@@ -107,8 +108,8 @@ char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, 
     add(o, "sin_phi_peak", s->sin_phi_peak);
     add(o, "strain_at_peak", s->strain_peak);
     add(o, "sin_phi_residual", s->sin_phi_residual);
-    add(o, "tan_phi_peak", tan(asin(s->sin_phi_peak)));
-    add(o, "tan_phi_residual", tan(asin(s->sin_phi_residual)));
+    add(o, "tan_phi_peak", tr_biaxial_tan_phi(s->sin_phi_peak));
+    add(o, "tan_phi_residual", tr_biaxial_tan_phi(s->sin_phi_residual));
     add(o, "q_over_p_peak", 2 * s->sin_phi_peak);
     add(o, "q_over_p_residual", 2 * s->sin_phi_residual);
     add(o, "rolling_share_residual", s->rolling_share);

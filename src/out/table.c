@@ -15,6 +15,10 @@ void tr_row_add(tr_row *row, double value, const char *name_format, ...) {
     cell->value = value;
 }
 
+void tr_cell_put(FILE *file, double value, int digits) {
+    if (isfinite(value)) fprintf(file, "%.*g", digits, value);
+}
+
 void tr_row_header(const tr_row *row, tr_file *file) {
     if (ftell(file->stream) != 0) return;
     for (int i = 0; i < row->n; i++) fprintf(file->stream, "%s%c", row->cell[i].name, i + 1 < row->n ? ',' : '\n');
@@ -22,8 +26,10 @@ void tr_row_header(const tr_row *row, tr_file *file) {
 
 static void write_cells(const tr_row *row, tr_file *file, int digits) {
     tr_row_header(row, file);
-    for (int i = 0; i < row->n; i++)
-        fprintf(file->stream, "%.*g%c", digits, row->cell[i].value, i + 1 < row->n ? ',' : '\n');
+    for (int i = 0; i < row->n; i++) {
+        tr_cell_put(file->stream, row->cell[i].value, digits);
+        putc(i + 1 < row->n ? ',' : '\n', file->stream);
+    }
 }
 
 bool tr_row_write(const tr_row *row, tr_file *file, tr_status *st) {
@@ -49,7 +55,7 @@ void tr_row_biaxial(tr_row *row, const tr_biaxial_state *s, const tr_measures *m
     tr_row_add(row, m->rolling_share, "rolling_share");
     tr_row_add(row, m->opposed_fraction, "opposed_fraction");
     tr_row_add(row, m->mobilisation, "mobilisation");
-    tr_row_add(row, tan(asin(s->sin_phi)), "tan_phi");
+    tr_row_add(row, tr_biaxial_tan_phi(s->sin_phi), "tan_phi");
     tr_row_add(row, 2 * s->sin_phi, "q_over_p"); /* q = s1 - s2, p = (s1 + s2)/2 */
     tr_row_add(row, m->unbalanced, "unbalanced");
     tr_row_add(row, m->mean_f_n, "mean_f_n_N_per_m|mean_f_n_N");

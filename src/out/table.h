@@ -26,6 +26,9 @@ typedef struct tr_row {
 /* name_format: see tr_param_by_shape. */
 void tr_row_add(tr_row *row, double value, const char *name_format, ...) __attribute__((format(printf, 3, 4)));
 
+/* Every number of every table goes through here. What is not finite has no number: an empty cell. */
+void tr_cell_put(FILE *file, double value, int digits);
+
 /* Writes the names, if the file is empty: a table without rows has a header too. */
 void tr_row_header(const tr_row *row, tr_file *file);
 

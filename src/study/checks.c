@@ -163,6 +163,7 @@ void tr_checks_step(tr_checks *c, const tr_bodies *b, const tr_record *records, 
         if (is_event(check)) continue;
         it->value = it->sum / it->weight;
         if (check->what == TR_CREEPAGE) it->value = fabs(it->value);
+        if (!isfinite(it->value)) it->value = NAN; /* over a rolling, an energy, a time of 0 */
     }
 }
 

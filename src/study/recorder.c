@@ -122,9 +122,10 @@ static bool write_all(tr_recorder *r, tr_status *st) {
         for (int i = 0; i < g->n; i++) {
             tr_path_life c;
             if (!tr_paths_life(g, i, &c)) continue;
-            fprintf(out, "%.9g,%.0f,%d,%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n",
-                    (double)(r->steps - 1) * r->dt, c.life, c.a, c.b, c.R1, c.R2, c.slide + 0.0, c.roll + 0.0, c.P,
-                    c.Q + 0.0, c.f_n, c.x, c.y);
+            const double number[] = {c.R1, c.R2, c.slide + 0.0, c.roll + 0.0, c.P, c.Q + 0.0, c.f_n, c.x, c.y};
+            fprintf(out, "%.9g,%.0f,%d,%d", (double)(r->steps - 1) * r->dt, c.life, c.a, c.b);
+            for (size_t n = 0; n < sizeof number / sizeof *number; n++) putc(',', out), tr_cell_put(out, number[n], 9);
+            putc('\n', out);
         }
     }
     return tr_file_check(&r->all, st);

@@ -131,9 +131,11 @@ static bool write_class(const tr_replay *r, bool of_rows, int by, int k, int law
     if (ftell(file->stream) == 0)
         fputs("error_of,law,by,above,up_to,n,mean,rms,median,q75,q90,q99,max\n", file->stream);
     if (!s->n) return true;
-    fprintf(file->stream, "%s,%s,%s,%g,%g,%d,%.6g,%.6g", of_rows ? "force" : "energy", r->name[law], c->name, c->end[k],
-            c->end[k + 1], s->n, s->sum / s->n, sqrt(s->squares / s->n));
-    for (int i = 0; i < 5; i++) fprintf(file->stream, ",%.6g", quantile(s->e, s->n, shares[i]));
+    double number[7] = {s->sum / s->n, sqrt(s->squares / s->n)};
+    for (int i = 0; i < 5; i++) number[2 + i] = quantile(s->e, s->n, shares[i]);
+    fprintf(file->stream, "%s,%s,%s,%g,%g,%d", of_rows ? "force" : "energy", r->name[law], c->name, c->end[k],
+            c->end[k + 1], s->n);
+    for (int i = 0; i < 7; i++) putc(',', file->stream), tr_cell_put(file->stream, number[i], 6);
     fputc('\n', file->stream);
     return tr_file_check(file, st);
 }
@@ -145,9 +147,12 @@ static void report_law(const tr_replay *r, int law, sample *s, tr_run_report *re
         work += r->life[k].work[law], exact += r->life[k].work[TR_REPLAY_EXACT];
     }
     collect(r, true, 0, 0, law, s);
-    tr_run_say(report, r->name[law], "error/(mu P): median %.4f, 90 %% %.4f, 99 %% %.4f; energy %+.2f %%",
-               quantile(s->e, s->n, 0.5), quantile(s->e, s->n, 0.9), quantile(s->e, s->n, 0.99),
-               100 * (work / exact - 1));
+    if (!s->n || exact == 0)
+        tr_run_say(report, r->name[law], "no contact does work by friction");
+    else
+        tr_run_say(report, r->name[law], "error/(mu P): median %.4f, 90 %% %.4f, 99 %% %.4f; energy %+.2f %%",
+                   quantile(s->e, s->n, 0.5), quantile(s->e, s->n, 0.9), quantile(s->e, s->n, 0.99),
+                   100 * (work / exact - 1));
 }
 
 static bool write_errors(const tr_replay *r, const char *dir, tr_run_report *report, tr_status *st) {
@@ -184,6 +189,7 @@ static void add_contact(const tr_replay *r, int i, stress *s) {
     }
 }
 
+/* NaN where nothing presses. */
 static double sin_phi(const stress *s, int k) {
     double xx = s->normal[0] + s->friction[k][0], yy = s->normal[1] + s->friction[k][1];
     return (yy - xx) / (yy + xx);
@@ -192,12 +198,14 @@ static double sin_phi(const stress *s, int k) {
 static void report_stress(const tr_replay *r, const stress *s, tr_run_report *report) {
     int from = r->n_instants * 3 / 4;
     for (int k = 0; k < r->n_columns; k++) {
-        double sum = 0, change = 0, n = r->n_instants - from;
+        double sum = 0, change = 0;
+        int n = 0;
         for (int i = from; i < r->n_instants; i++) {
-            double d = sin_phi(&s[i], k) - sin_phi(&s[i], TR_REPLAY_EXACT);
-            sum += sin_phi(&s[i], k), change += d * d;
+            double phi = sin_phi(&s[i], k), d = phi - sin_phi(&s[i], TR_REPLAY_EXACT);
+            if (isfinite(d)) sum += phi, change += d * d, n++;
         }
         char label[40];
+        if (!n) continue;
         snprintf(label, sizeof label, "sin phi, %.24s", r->name[k]);
         tr_run_say(report, label, "%.4f over the last quarter; rms from exact %.4f", sum / n, sqrt(change / n));
     }

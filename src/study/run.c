@@ -198,12 +198,13 @@ void tr_run_say_check(tr_run_report *report, const tr_check_result *r, bool seve
     tr_scene_quantity q = tr_scene_what(r->check->what, r->shape);
     const char *what = q.name, *unit = strcmp(q.unit, "1") == 0 ? "" : q.unit;
     double exact = r->check->exact, error = r->measured - exact;
-    char label[40], number[48];
+    char label[40], number[48], off[32] = "";
     snprintf(label, sizeof label, "%s", what);
     snprintf(number, sizeof number, isnan(r->measured) ? "never happened" : "%.5g%s%s", r->measured, *unit ? " " : "",
              unit);
-    tr_run_say(report, label, "%s%s%s: %s, exact %.5g%s%s, error %.1e, allowed %.1e: %s", r->of, several ? ", " : "",
-               several ? r->lane : "", number, exact, *unit ? " " : "", unit, error, r->check->tolerance,
+    if (!isnan(error)) snprintf(off, sizeof off, "error %.1e, ", error);
+    tr_run_say(report, label, "%s%s%s: %s, exact %.5g%s%s, %sallowed %.1e: %s", r->of, several ? ", " : "",
+               several ? r->lane : "", number, exact, *unit ? " " : "", unit, off, r->check->tolerance,
                r->ok ? "ok" : "FAILED");
     if (!r->ok) report->failed++;
 }

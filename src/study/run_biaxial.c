@@ -326,7 +326,8 @@ static void report(test *t, const tr_strength *s, const tr_timing *timing) {
     double held = mean ? 0.5 * (t->stress_1_sum + t->stress_2_sum) : t->stress_2_sum;
     tr_run_say(r, mean ? "mean stress" : "lateral stress", "%.4g %s, asked %.4g", held / t->stress_n,
                t->scene->shape == TR_SHAPE_SPHERE ? "N/m" : "Pa", t->scene->shear.lateral_pressure);
-    if (t->b.world.ledger) tr_run_say(r, "energy residual/work", "%.1e", t->energy.residual / t->energy.work);
+    if (t->b.world.ledger && t->energy.work != 0)
+        tr_run_say(r, "energy residual/work", "%.1e", t->energy.residual / t->energy.work);
     tr_run_say(r, "time step", "%.3g s, bound %.3g s", t->b.world.dt, t->b.dt_bound);
     tr_run_say(r, "steps", "%lld compaction, %lld shear", (long long)t->b.shear_start, (long long)t->b.shear_steps);
     tr_run_say(r, "wall time", "%.1f s, %.1f M contact updates/s", timing->wall_s, timing->contact_updates_per_s / 1e6);

@@ -9,6 +9,7 @@
 #include "base/student.h"
 #include "out/dir.h"
 #include "out/summary.h"
+#include "out/table.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -48,7 +49,7 @@ static void put_text(FILE *out, const char *text) {
 static void put_mean(FILE *out, const tr_mean *m) {
     const double number[] = {m->mean, m->error, m->low, m->high};
     fprintf(out, ",%d", m->n);
-    for (int i = 0; i < 4; i++) fprintf(out, isnan(number[i]) ? "," : ",%.10g", number[i]);
+    for (int i = 0; i < 4; i++) putc(',', out), tr_cell_put(out, number[i], 10);
 }
 
 /* The combination with another value of one axis. */
@@ -90,8 +91,7 @@ static void put_points(FILE *out, const tr_grid *g, const double *value, const b
         for (int i = 0; i < g->n_named; i++)
             put_text(out, g->axis[i].value[tr_grid_value(g, point, i)]), putc(',', out);
         for (int k = 0; k < g->n_collect; k++) {
-            double x = value[(size_t)k * (size_t)g->n + (size_t)point];
-            if (!isnan(x)) fprintf(out, "%.10g", x);
+            tr_cell_put(out, value[(size_t)k * (size_t)g->n + (size_t)point], 10);
             putc(k + 1 < g->n_collect ? ',' : '\n', out);
         }
     }

@@ -4,6 +4,7 @@
 #include "base/alloc.h"
 #include "laws/law.h"
 #include "out/made.h"
+#include "out/table.h"
 #include "study/checks.h"
 #include "study/play.h"
 #include <stdio.h>
@@ -110,7 +111,7 @@ static void put_text(FILE *f, const char *text) {
 
 static void put_number(FILE *f, double value) {
     fputc(',', f);
-    if (!isnan(value)) fprintf(f, "%.9g", value);
+    tr_cell_put(f, value, 9);
 }
 
 static void put_row(FILE *f, const tr_verified *r) {

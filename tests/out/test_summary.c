@@ -4,6 +4,7 @@
 #include "core/measures.h"
 #include "out/summary.h"
 #include "out/table.h"
+#include <stdlib.h>
 #include <string.h>
 
 /* 401 rows, strain 0..0.2 in steps of 0.0005: a window of 0.5 % strain is 10 rows. sin phi rises by 0.01 a row to 0.5 at row 50, has a
@@ -92,8 +93,51 @@ static void test_increments(void **state) {
     assert_close(cell(&row, "followed"), 1, 0, 0);
 }
 
+/* tan phi = (s1 - s2)/(2 sqrt(s1 s2)): there is none where a stress pulls or is 0. */
+static void test_tan_phi_where_there_is_one(void **state) {
+    (void)state;
+    const double s2[] = {1, 3, 0.01, 1e-10};
+    for (int i = 0; i < 4; i++) {
+        double sin_phi = (2 - s2[i]) / (2 + s2[i]);
+        /* sin phi is rounded by 1e-16, of which tan makes 1e-16/(1 - sin^2) of itself: 1e-6 for the last */
+        assert_close(tr_biaxial_tan_phi(sin_phi), (2 - s2[i]) / (2 * sqrt(2 * s2[i])), 1e-16 * (2 + 2 / s2[i]), 0);
+    }
+    const double none[] = {1, -1, nextafter(1, 2), -3, 1e9, INFINITY, NAN};
+    for (int i = 0; i < 7; i++) assert_true(isnan(tr_biaxial_tan_phi(none[i])));
+}
+
+/* The text that a row of these numbers is. */
+static void assert_row(const double *value, int n, const char *text) {
+    char *is = NULL;
+    size_t size;
+    FILE *stream = open_memstream(&is, &size);
+    tr_file file = {.stream = stream};
+    tr_status st = {0};
+    tr_row row = {0};
+    for (int i = 0; i < n; i++) tr_row_add(&row, value[i], "x");
+    fputs("head\n", stream);
+    assert_true(tr_row_write(&row, &file, &st));
+    fclose(stream);
+    assert_string_equal(is, text);
+    free(is);
+}
+
+static void test_what_is_no_number_is_an_empty_cell(void **state) {
+    (void)state;
+    assert_row((const double[]){1, NAN, -0.5}, 3, "head\n1,,-0.5\n");
+    assert_row((const double[]){NAN, INFINITY, -INFINITY}, 3, "head\n,,\n");
+    assert_row((const double[]){2, -NAN}, 2, "head\n2,\n");
+    tr_row row = {0};
+    tr_biaxial_state s = {.sin_phi = 1.5};
+    tr_measures m = {0};
+    tr_row_biaxial(&row, &s, &m, NULL);
+    assert_true(isnan(cell(&row, "tan_phi")));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_strength), cmocka_unit_test(test_counts),
-                                       cmocka_unit_test(test_increments)};
+                                       cmocka_unit_test(test_increments),
+                                       cmocka_unit_test(test_tan_phi_where_there_is_one),
+                                       cmocka_unit_test(test_what_is_no_number_is_an_empty_cell)};
     return cmocka_run_group_tests_name("summary", tests, NULL, NULL);
 }

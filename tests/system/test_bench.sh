@@ -47,7 +47,7 @@ arrays() { column 10 "$1"; }
 check 'history arrays' equals "$(arrays 'linear alone') $(arrays '+ coulomb-spring') $(arrays '+ wang-spring') $(arrays '+ energy ledger')" '0 1 2 11'
 check 'what is there takes memory' sh -c "test \"\$1\" -lt \"\$2\" && test \"\$2\" -lt \"\$3\"" - \
     "$(column 9 'linear alone' | cut -d. -f1)" "$(column 9 '+ wang-spring' | cut -d. -f1)" "$(column 9 '+ energy ledger' | cut -d. -f1)"
-check 'the full scene is the whole' equals "$(column 6 '+ energy ledger')" 1.0000
+check 'the full scene is the whole' equals "$(column 6 '+ energy ledger')" 1
 check 'without friction it is refused' equals "$("$TRUNDLE" bench --features --set contact.friction=none 2>&1)" \
     'error: --features needs a case with friction and rolling resistance'
 check 'refused with code 2' sh -c '"$0" bench --features --set contact.rolling=none; test $? -eq 2' "$TRUNDLE"

@@ -58,6 +58,40 @@ check 'a frame is a PNG' is_png framed/frames/00001.png
 check 'without -o results go to out/ and the name of the case' run_gives 0 bodies.yaml
 check 'there they are' test -e out/bodies/summary.json
 
+# ---- no number: an empty cell, null, no word ----
+# A cell that is pulled apart faster than its stress can follow, and a wheel that creeps over a rolling of 0.
+run small.yaml -o wild --set boundary=periodic --set shear.lateral_pressure=0.1 --set shear.inertial_number=1 \
+    --set contact.mu=10 --set shear.strain_end=0.009 --set output.rows=400 --set output.increments=yes
+cat stdout stderr >wild/said
+cat >still.yaml <<'CASE'
+kind: bodies
+time_end: 1 ms
+contact: {k_n: 1 MPa, mu: 0.5, mu_r: 0.1}
+disks: [{radius: 10 mm, x: 0, y: 9.99 mm, motion: prescribed}]
+walls: [{nx: 0, ny: 1}]
+checks:
+  - {what: creepage, contact: wall0-0, exact: 1, tolerance: 1}
+  - {what: energy-lost, disk: 0, exact: 0, tolerance: 1}
+CASE
+run still.yaml -o still
+cat stdout stderr >still/said
+check 'a check that has no number fails' equals "$code" 1
+check 'and says that there is none' says still/said 'creepage               wall0-0: never happened, exact 1, allowed 1.0e+00: FAILED'
+check 'its number is null' equals "$(grep -c '"measured": null' still/summary.json)" 2
+check 'no output says nan or inf' is_silent grep -rnwiE -- '-?(nan|inf)' wild still
+# sin phi beyond 1: a stress pulls. Else tan phi = (s1 - s2)/(2 sqrt(s1 s2)), to the nine digits of the stresses over 1 - sin phi
+angles() {
+    awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i; next }
+             { s1 = $column["stress_1_Pa"]; s2 = $column["stress_2_Pa"]; phi = $column["sin_phi"]; t = $column["tan_phi"] }
+             phi^2 >= 1 { none++; if (t != "") { print "tan phi for sin phi " phi; bad = 1 } }
+             phi^2 < 0.99 && s1 + s2 > 0 {
+                 some++; d = t - (s1 - s2)/(2*sqrt(s1*s2))
+                 if (t == "" || d*d > 1e-12) { print "tan phi " t " for " s1 ", " s2; bad = 1 }
+             }
+             END { if (!none || !some) print none + 0 " without, " some + 0 " with"; exit bad || !none || !some }' wild/history.csv
+}
+check 'tan phi where there is one, and else an empty cell' angles
+
 # ---- a contact along a path ----
 contact_files() {
     printf '%s\n' case.yaml contact.csv

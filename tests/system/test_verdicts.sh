@@ -48,6 +48,12 @@ check 'outside: fails' equals "$(verdict 'almost the same' bagi-kuhn)" '0.0500 0
 # below 0.2 and above 0.2 fail for 3 models, 4 % lower for 2, twice
 check 'each claim has one verdict' equals "$(claims)" '18 10 0'
 
+# Two seeds more, with other numbers: one has an empty cell, one lacks a point.
+cp verdicts.csv five.csv
+awk -F, -v OFS=, '{ print } $3 == 5 { $4 += 0.1; $3 = 6; if ($1 == 1 && $2 == "wang") $5 = ""; print; $3 = 7; if ($1 != 2) print }' points.csv >seven.csv
+awk -F, -f "$here/verdicts.awk" seven.csv >verdicts.csv
+check 'a seed that lacks a number or a point is left out' cmp verdicts.csv five.csv
+
 # Kuhn's assemblies: rows of 0.1 % strain up to 30 %, so four blocks from 10 % on. Of the small contacts rolling is twice that of the large
 # ones, and D more in the first of the four blocks; creep changes sin phi by E.
 kuhn=$here/../kuhn/tables.awk
@@ -65,6 +71,11 @@ rows disks-small-cattaneo-mindlin 6 0.3 0.3
 rows disks-large-kuhn-creep 3 0 0.325
 rows disks-small-kuhn-creep 6 0 0.31
 awk -F, -v tables=tables.csv -f "$kuhn" ./*/history.csv >verdicts.csv
+# 22 % strain is in a block and in the rows of the table
+sed -i 's/^\(0.22,.*\),[^,]*,\([^,]*\)$/\1,,\2/' disks-large-*/history.csv
+awk -F, -v tables=holes.csv -f "$kuhn" ./*/history.csv >holes-verdicts.csv
+holes() { grep -q '^0.22,.*,,0.1$' disks-large-kuhn-creep/history.csv && cmp holes.csv tables.csv && cmp holes-verdicts.csv verdicts.csv; }
+check 'an empty cell is no 0' holes
 kuhn_says() { awk -F, -v c="$1" -v r="$2" 'index($1, c) && index($2, r) {print $4, $5, $6, $9, $10}' verdicts.csv; }
 # ratios 2.1, 2, 2, 2: mean 2.025, deviation 0.05, half an interval 3.182446*0.05/2 = 0.07956
 check 'small contacts roll twice as much, by blocks' \
