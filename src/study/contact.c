@@ -189,8 +189,9 @@ bool tr_contact_step(tr_contact *c, tr_contact_state *state, tr_status *st) {
     for (int i = 0; i < c->scene->n_laws; i++) {
         line *l = &c->lines[i];
         double start = by_force ? l->P_start : l->delta_start;
+        bool ok = s.step > 1 || run_passes(l, 0, 0, dt, st); /* at its first force the contact is at rest, Q = 0 */
         press(l, by_force, last ? goal : start + part * (goal - start));
-        if (!run_passes(l, w1, w2, dt, st)) {
+        if (!ok || !run_passes(l, w1, w2, dt, st)) {
             size_t used = strlen(st->text);
             snprintf(st->text + used, sizeof st->text - used, ", in laws.%d at step %lld (path.%d)", i,
                      (long long)s.step, s.segment);

@@ -8,9 +8,9 @@
  *   w1 = (slide'/2 - roll')/R1,   w2 = (slide'/2 + roll')/R2
  *
  * The normal force or the overlap is prescribed, linear over a segment, and the elastic curve of the item's normal law
- * gives the other. Step k of n has those of its end, f_n = f_elastic = P(k/n), as a step of an assembly uses the force
- * of the positions that it has reached. Each item of laws has a tile of its own with one contact in it, for a pass takes
- * one set of parameters. */
+ * gives the other. The path begins at those of its first segment, at rest with Q = 0. Step k of n has those of its end,
+ * f_n = f_elastic = P(k/n), as a step of an assembly uses the force of the positions that it has reached. Each item of
+ * laws has a tile of its own with one contact in it, for a pass takes one set of parameters. */
 #ifndef TR_CONTACT_H
 #define TR_CONTACT_H
 

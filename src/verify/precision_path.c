@@ -45,7 +45,7 @@ enum {
 
 typedef struct bench {
     tr_scene scene;
-    double exact[N_LAWS][SEGMENTS * INSTANTS], finest[N_LAWS];
+    double exact[N_LAWS][SEGMENTS * INSTANTS], finest[N_LAWS], largest[N_LAWS];
 } bench;
 
 /* ---- the laws */
@@ -73,16 +73,17 @@ static bool run(void *context, int law, int k, tr_sweep_result *result, tr_statu
     int steps = COARSEST << k;
     if (!drive(b, law, steps, Q, &seconds, st)) return false;
     for (int i = 0; i < SEGMENTS * INSTANTS; i++) error = fmax(error, fabs(Q[i] - b->exact[law][i]) / size);
-    *result = (tr_sweep_result){1.0 / steps, b->finest[law] = error, seconds};
+    b->finest[law] = error, b->largest[law] = fmax(b->largest[law], error);
+    *result = (tr_sweep_result){1.0 / steps, error, seconds};
     return true;
 }
 
-/* What is left at the finest steps. */
+/* What no step removes. */
 static bool add_limits(tr_verify *v, const bench *b, tr_status *st) {
     return tr_verify_add(v,
-                         &(tr_verify_row){.quantity = "coulomb-spring: error at the finest step",
+                         &(tr_verify_row){.quantity = "coulomb-spring: largest error at any step",
                                           .unit = "1",
-                                          .computed = b->finest[SPRING],
+                                          .computed = b->largest[SPRING],
                                           .tolerance = 1e-10,
                                           .reason = "exact at the end of any step; 1e5 roundings of the reference",
                                           .order = NAN},
@@ -91,7 +92,7 @@ static bool add_limits(tr_verify *v, const bench *b, tr_status *st) {
                v,
                &(tr_verify_row){.quantity = "laws on the bed: error that no step removes",
                                 .unit = "1",
-                                .computed = fmax(b->finest[CATTANEO], fmax(b->finest[KUHN], b->finest[VU_QUOC])),
+                                .computed = fmax(fmax(b->largest[CATTANEO], b->largest[KUHN]), b->finest[VU_QUOC]),
                                 .tolerance = 9e-4,
                                 .reason = "16 breakpoints: see laws/bed.h",
                                 .order = NAN},
@@ -99,14 +100,13 @@ static bool add_limits(tr_verify *v, const bench *b, tr_status *st) {
 }
 
 bool tr_precision_path(tr_verify *v, tr_status *st) {
-    static const char bed[] = "P stands still over a step: first order, until breakpoints are merged";
     static const tr_sweep_method method[N_LAWS] = {
         {"dahlberg-alfredsson", 1, 0.2, "backward Euler: first order"},
         {"dahlberg-alfredsson exact", 1, 0.2, "P stands still over a step: first order where it changes"},
         {"coulomb-spring", NAN, 0, NULL},
-        {"cattaneo-mindlin", 1, 0.2, bed},
-        {"kuhn-creep", 1, 0.2, bed},
-        {"vu-quoc-zhang", 1, 0.2, bed},
+        {"cattaneo-mindlin", NAN, 0, NULL},
+        {"kuhn-creep", NAN, 0, NULL},
+        {"vu-quoc-zhang", 1, 0.2, "a stands still over a step: first order, until breakpoints are merged"},
     };
     bench *b = tr_alloc(1, sizeof *b, st);
     bool ok = b && tr_scene_read(&b->scene, "case", text, strlen(text), NULL, 0, tr_laws_catalog(), st);
