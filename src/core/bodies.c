@@ -44,8 +44,8 @@ static void weigh(tr_bodies *b) {
     const tr_disks *d = &b->world.disks;
     double g[2];
     tr_bodies_gravity(b, g);
-    for (int i = 0; d->load && i < d->n; i++)
-        d->load[4 * i] = d->mass[i] * g[0], d->load[4 * i + 1] = d->mass[i] * g[1];
+    for (int i = 0; d->load && i < d->n; i++) /* what moves a centre as it is told carries its weight too */
+        for (int k = 0; k < 2; k++) d->load[4 * i + k] = d->inv[4 * i + k] > 0 ? d->mass[i] * g[k] : 0;
 }
 
 void tr_bodies_advance(tr_bodies *b) {

@@ -140,19 +140,20 @@ bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool sm
     return world->finder != NULL;
 }
 
+/* Given motion is infinite mass: inv is 0 there. */
+static void weigh_body(const tr_world *world, int i, double *R, double *m, double *I) {
+    const double *inv = world->disks.inv + 4 * (size_t)i, of_mass = world->shape == TR_SHAPE_SPHERE ? 0.4 : 0.5;
+    double mass = world->disks.mass[i];
+    *R = world->disks.pos[4 * (size_t)i + 3];
+    *m = inv[0] > 0 ? mass : INFINITY;
+    *I = inv[2] > 0 ? of_mass * mass * *R * *R : INFINITY;
+}
+
 tr_pair_bodies tr_world_pair(const tr_world *world, const tr_group *group, int a, int b) {
-    const tr_disks *d = &world->disks;
-    double R1 = group->walls ? 0 : d->pos[4 * (size_t)a + 3], R2 = d->pos[4 * (size_t)b + 3];
-    double m1 = group->walls ? INFINITY : d->mass[a], m2 = d->mass[b];
-    double of_mass = world->shape == TR_SHAPE_SPHERE ? 0.4 : 0.5; /* inv is no help: 0 where the motion is prescribed */
-    return (tr_pair_bodies){.R1 = R1,
-                            .R2 = R2,
-                            .m1 = m1,
-                            .m2 = m2,
-                            .I1 = group->walls ? INFINITY : of_mass * m1 * R1 * R1,
-                            .I2 = of_mass * m2 * R2 * R2,
-                            .held1 = group->walls || d->inv[4 * (size_t)a + 2] == 0,
-                            .held2 = d->inv[4 * (size_t)b + 2] == 0};
+    tr_pair_bodies bodies = {.m1 = INFINITY, .I1 = INFINITY};
+    if (!group->walls) weigh_body(world, a, &bodies.R1, &bodies.m1, &bodies.I1);
+    weigh_body(world, b, &bodies.R2, &bodies.m2, &bodies.I2);
+    return bodies;
 }
 
 tr_law_data tr_group_data(const tr_group *group, const tr_slot *slot) {

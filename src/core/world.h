@@ -43,7 +43,7 @@ typedef struct tr_disks {
     int n;
     double *pos, *vel, *force, *inv; /* n*4 each, see above; inv is 0 where the motion is prescribed */
     double *load;                    /* n*4: what acts on a disk besides contacts: weight, torque; NULL: nothing does */
-    double *mass;                    /* n [kg/m] */
+    double *mass;                    /* n [kg/m], by the density, whatever is given of the motion */
     int *coordination;               /* n: touching contacts of each, right after tr_timestep_contacts */
 } tr_disks;
 
@@ -195,7 +195,8 @@ bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool sm
 /* Adds a sink at the end of a pipeline, with n_hist arrays of its own. */
 void tr_group_attach(tr_group *group, tr_sink *sink, const char *name, tr_pass_run *run, int n_hist);
 
-/* Two bodies of a group, a wall and a disk in that of walls. Their overlap is for the caller to fill in. */
+/* Two bodies of a group, a wall and a disk in that of walls, infinitely heavy where their motion is given. Their overlap is
+ * for the caller to fill in. */
 tr_pair_bodies tr_world_pair(const tr_world *world, const tr_group *group, int a, int b);
 
 /* What the law of a slot sees. */

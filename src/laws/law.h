@@ -72,23 +72,30 @@ typedef struct tr_law_data {
 
 typedef void tr_pass_run(tr_tile *tile, const tr_law_data *data);
 
-/* Two bodies that may touch: radii [m] (R1 = 0 at a wall), masses [kg/m] and moments of inertia [kg m] (a wall's are
- * infinite). held: the spin of 1, of 2 is prescribed, no moment changes it. z: contacts that 1 and 2 may have, 0 counts as 1;
- * for tr_law.pair alone. For tr_law.stiffness of friction and
- * rolling laws also the greatest overlap to expect [m], with the normal force [N/m] and stiffness [Pa] there. */
+/* Two bodies that may touch: radii [m] (R1 = 0 at a wall), masses [kg/m] and moments of inertia [kg m]. A mass is infinite
+ * where the motion of the centre is given, an inertia where the spin is; a wall has both. on_path: the driver of kind:
+ * contact gives both spins, whatever the inertias. z: contacts that 1 and 2 may have, 0 counts as 1; for tr_law.pair
+ * alone. For tr_law.stiffness of friction and rolling laws also the greatest overlap to expect [m], with the normal force
+ * [N/m] and stiffness [Pa] there. */
 typedef struct tr_pair_bodies {
     double R1, R2, m1, m2, I1, I2;
     double delta, f_n, k_n;
-    bool held1, held2;
+    bool on_path;
     int z1, z2;
 } tr_pair_bodies;
 
-/* 1/(1/R1 + 1/R2) [m], the same of masses; of a wall, and of infinite mass, the other's. */
+/* 1/(1/R1 + 1/R2) [m]; of a wall the other's. */
 static inline double tr_law_R_star(double R1, double R2) {
     return R1 > 0 ? R1 * R2 / (R1 + R2) : R2;
 }
+/* The same of two masses, or of two inertias, for a dashpot. One is infinite: the other. Both are, or there is none (0): no
+ * motion follows from forces, and 0 leaves the dashpot out. */
+static inline double tr_law_reduced(double one, double two) {
+    if (isinf(one) || isinf(two)) return isinf(one) && isinf(two) ? 0 : fmin(one, two);
+    return one + two > 0 ? one * two / (one + two) : 0;
+}
 static inline double tr_law_m_eff(const tr_pair_bodies *b) {
-    return b->R1 > 0 ? b->m1 * b->m2 / (b->m1 + b->m2) : b->m2;
+    return tr_law_reduced(b->m1, b->m2);
 }
 
 /* Half-width of the line contact, or radius of the circle, by Hertz [m] [Johnson1985 eqs. 4.45, 4.22]. */

@@ -40,13 +40,13 @@ static const tr_param params[] = {
      "share of the moment that stops the lesser rotation in one step"},
 };
 
-/* 1/I of both [1/(kg m)]; 0 at a wall and of a held body. Two held bodies are not stopped by anything: as if they were
+/* 1/I of both [1/(kg m)]; 0 where the spin is given, as that of a wall. Where both are nothing is stopped: as if they were
  * endlessly heavy, and what friction does to their spins (share 0) is nothing. */
 static void pair(const void *par_, const tr_pair_bodies *bodies, double *constants) {
     (void)par_;
-    bool both = bodies->held1 && bodies->held2;
-    constants[0] = both ? 1e-200 : bodies->held1 || bodies->R1 == 0 ? 0 : 1 / bodies->I1;
-    constants[1] = both ? 1e-200 : bodies->held2 ? 0 : 1 / bodies->I2;
+    bool both = bodies->on_path || (isinf(bodies->I1) && isinf(bodies->I2));
+    constants[0] = both ? 1e-200 : 1 / bodies->I1;
+    constants[1] = both ? 1e-200 : 1 / bodies->I2;
     constants[2] = both ? 0 : 1;
     int z1 = bodies->z1 > 1 ? bodies->z1 : 1, z2 = bodies->z2 > 1 ? bodies->z2 : 1;
     constants[3] = (constants[0] + constants[1]) / (z1 * constants[0] + z2 * constants[1]);

@@ -15,6 +15,9 @@
  * reached after the clamp and is read as "at the bound". C lacks the square root in print. R_eq: see
  * rolling_star_constant_torque.c. The page gives no default for damping factor and multiplier; off, 0.3 and 1 are ours.
  *
+ * Given motion is infinite mass, and what cannot move about the contact point has no part in I_r: of a disk whose centre is
+ * given I stays, for that is what turns; one whose spin is given leaves the sum; without any C = 0.
+ *
  * History: M_k [N]. f_n -> 0: k_r = 0, nothing left. Wall: I_r = I2 + m2 R2^2 and R_eq = 2 R2 or R2.
  */
 #include "base/vector.h"
@@ -43,10 +46,13 @@ static const tr_param params[] = {
      "share of the viscous moment that stays while the spring is at its bound"},
 };
 
-/* I_r [kg m] about the contact point; 0 where no mass is given, for a law without dashpot. */
+static double about_contact(double I, double m, double R) {
+    return isinf(m) ? I : I + m * R * R;
+}
+
+/* I_r [kg m] about the contact point. */
 static double inertia(const tr_pair_bodies *b) {
-    double two = b->I2 + b->m2 * b->R2 * b->R2, one = b->I1 + b->m1 * b->R1 * b->R1;
-    return b->R1 > 0 && one > 0 ? one * two / (one + two) : two;
+    return tr_law_reduced(about_contact(b->I1, b->m1, b->R1), about_contact(b->I2, b->m2, b->R2));
 }
 
 static void pair(const void *par_, const tr_pair_bodies *bodies, double *constants) {
@@ -97,7 +103,8 @@ const tr_law tr_rolling_star_displacement_damping = {
     .source = "[STARCCM eqs. 3277-3278]",
     .formula = "M_k <- M_k - k_r w_rel dt, |M_k| <= k_r theta_max, k_r = mu_r R_eq f_n/theta_max, w_rel = w1 - w2\n"
                "M_d = -damping_factor C w_rel (damping_multiplier times that at the bound), C = 2 sqrt(I_r k_r)\n"
-               "1/I_r = 1/(I1 + m1 R1^2) + 1/(I2 + m2 R2^2); M1 = M_k + M_d, M2 = -M1",
+               "1/I_r = 1/(I1 + m1 R1^2) + 1/(I2 + m2 R2^2); M1 = M_k + M_d, M2 = -M1\n"
+               "centre given: I alone; spin given: no term; no term left: M_d = 0",
     .differs =
         "Eq. 3277's bound has lost its <=, eq. 3278 a symbol, C its root; the second branch of eq. 3278 cannot be "
         "reached after the clamp and is read as \"at the bound\". R_eq is ambiguous: both readings are choices. "

@@ -14,9 +14,9 @@
  *
  * differs: eq. 3275 is printed without the minus.
  *
- * History: M1, M2 [N] only so that a look with dt = 0 finds the moments of the step. The inertia is the mass's, also
- * for a disk whose spin is prescribed beside one that turns. w -> 0: a stop without chatter. Wall: no arm, no moment.
- * No energy is stored.
+ * History: M1, M2 [N] only so that a look with dt = 0 finds the moments of the step. A spin that is given: I infinite, the
+ * whole moment against it, however slow it is. w -> 0: a stop without chatter. Wall: no arm, no moment. No energy is
+ * stored.
  */
 #include "base/vector.h"
 #include "laws/law.h"
@@ -32,26 +32,27 @@ static const tr_param params[] = {
      "coefficient of rolling resistance"},
 };
 
-/* Shares of the inertias [kg m]; the wall's is not used. Two held bodies are not stopped by anything: as if they were
- * endlessly heavy, and what friction does to their spins (share 0) is nothing. */
+/* Shares of the inertias [kg m], and 1 where friction changes the spin. One that is given is not stopped by anything: as
+ * if the body were endlessly heavy, short of infinity, for at rest it has no moment. */
 static void pair(const void *par_, const tr_pair_bodies *bodies, double *constants) {
     (void)par_;
-    bool both = bodies->held1 && bodies->held2;
-    constants[0] = both ? 1e200 : bodies->R1 > 0 ? bodies->I1 / (bodies->z1 > 1 ? bodies->z1 : 1) : 0;
-    constants[1] = both ? 1e200 : bodies->I2 / (bodies->z2 > 1 ? bodies->z2 : 1);
-    constants[2] = both ? 0 : 1;
+    bool given1 = bodies->on_path || isinf(bodies->I1), given2 = bodies->on_path || isinf(bodies->I2);
+    constants[0] = given1 ? 1e200 : bodies->I1 / (bodies->z1 > 1 ? bodies->z1 : 1);
+    constants[1] = given2 ? 1e200 : bodies->I2 / (bodies->z2 > 1 ? bodies->z2 : 1);
+    constants[2] = given1 ? 0 : 1;
+    constants[3] = given2 ? 0 : 1;
 }
 
 TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict data) {
     const par *p = data->par;
     const double mu_r = p->mu_r, dt = tile->dt, per_dt = dt > 0 ? 1 / dt : 0, keep = dt > 0 ? 0 : 1;
     const double *restrict I1 = data->pair[0] + tile->first, *restrict I2 = data->pair[1] + tile->first;
-    const double *restrict share = data->pair[2] + tile->first;
+    const double *restrict share1 = data->pair[2] + tile->first, *restrict share2 = data->pair[3] + tile->first;
     double *restrict M1 = data->hist[0] + tile->first, *restrict M2 = data->hist[1] + tile->first;
     for (int i = 0; i < tile->n; i++) {
         double r1 = tile->r1[i], r2 = tile->r2[i], cap1 = mu_r * tile->f_n[i] * r1, cap2 = mu_r * tile->f_n[i] * r2;
-        double a = keep * M1[i] - per_dt * (I1[i] * tile->w1[i] - share[i] * dt * (r1 * tile->f_t[i]));
-        double b = keep * M2[i] - per_dt * (I2[i] * tile->w2[i] - share[i] * dt * (r2 * tile->f_t[i]));
+        double a = keep * M1[i] - per_dt * (I1[i] * tile->w1[i] - share1[i] * dt * (r1 * tile->f_t[i]));
+        double b = keep * M2[i] - per_dt * (I2[i] * tile->w2[i] - share2[i] * dt * (r2 * tile->f_t[i]));
         a = a > cap1 ? cap1 : a;
         a = a < -cap1 ? -cap1 : a;
         b = b > cap2 ? cap2 : b;
@@ -84,7 +85,7 @@ const tr_law tr_rolling_star_force_proportional = {
     .claims = TR_RATE_INDEPENDENT | TR_ENERGY_CLOSED,
     .needs = TR_NEEDS_Z,
     .n_hist = 2,
-    .n_pair = 3,
+    .n_pair = 4,
     .pair = pair,
     .step = step,
     .state = state,

@@ -192,7 +192,8 @@ static const tr_param output_patch[] = {
 #define STRUCT tr_scene_disk
 static const tr_param disk[] = {
     {"radius", TR_REAL, TR_DIM_LENGTH, "m", NULL, 1e-9, 1e3, NULL, AT(radius), "radius"},
-    {"density", TR_REAL, TR_DIM_DENSITY, "kg/m^3", "2700", 1e-3, 1e6, NULL, AT(density), "density"},
+    {"density", TR_REAL, TR_DIM_DENSITY, "kg/m^3", "2700", 1e-3, 1e6, NULL, AT(density),
+     "density; of no effect where the motion is prescribed or an orbit"},
     {"x", TR_REAL, TR_DIM_LENGTH, "m", NULL, -1e6, 1e6, NULL, AT(x), "centre at the start"},
     {"y", TR_REAL, TR_DIM_LENGTH, "m", NULL, -1e6, 1e6, NULL, AT(y), "centre at the start"},
     {"angle", TR_REAL, TR_DIM_NUMBER, "rad", "0", -1e9, 1e9, NULL, AT(angle),

@@ -57,7 +57,7 @@ static void set_line(line *l, const tr_scene_contact *laws, const tr_scene *scen
     const tr_scene_pair *pair = &scene->pair;
     bool sphere = scene->shape == TR_SHAPE_SPHERE;
     double R1 = pair->R1, R2 = pair->R2, of_mass = sphere ? 0.4 : 0.5;
-    /* density 0, not given: no law that is here asks for the inertia */
+    /* The masses are those of free bodies. Density 0, not given: no law that is here asks for the inertia. */
     double m1 = pair->density * M_PI * R1 * R1 * (sphere ? 4 * R1 / 3 : 1);
     double m2 = pair->density * M_PI * R2 * R2 * (sphere ? 4 * R2 / 3 : 1);
     tr_pair_bodies bodies = {.R1 = R1,
@@ -66,8 +66,7 @@ static void set_line(line *l, const tr_scene_contact *laws, const tr_scene *scen
                              .m2 = m2,
                              .I1 = of_mass * m1 * R1 * R1,
                              .I2 = of_mass * m2 * R2 * R2,
-                             .held1 = true,
-                             .held2 = true};
+                             .on_path = true};
     l->R1 = R1, l->R2 = R2, l->g1 = R1 / (R1 + R2);
     l->E_star = modulus(laws, scene);
     l->normal = tr_laws_normal[laws->normal.law], l->normal_par = laws->normal.par;

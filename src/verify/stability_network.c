@@ -70,7 +70,7 @@ static void add(tr_network *net, double X[TR_NETWORK_DOF][TR_NETWORK_DOF], doubl
 static void add_contact(tr_network *net, int a, int b, const double n[2], double r1, double r2, double R1, double R2) {
     double R_eff = a < 0 ? R2 : R1 * R2 / (R1 + R2),
            along = net->conjugate ? (a < 0 ? 0.5 : (R1 - R2) / (2 * (r1 + r2))) : 0;
-    const double *mass = net->w.disks.mass, m = a < 0 ? mass[b] : mass[a] * mass[b] / (mass[a] + mass[b]);
+    const double *inv = net->w.disks.inv, of = (a < 0 ? 0 : inv[4 * a]) + inv[4 * b], m = of > 0 ? 1 / of : 0;
     double slide[2][3] = {{-n[1], n[0], r1}, {n[1], -n[0], r2}}, roll[2][3];
     for (int l = 0; l < 3; l++) {
         roll[0][l] = along * slide[0][l] + (l == 2 ? R_eff : 0);

@@ -108,7 +108,7 @@ static void set_up(bench *b, int slot, const tr_law *law, bool swapped, units u)
         b->m1[i] = density * b->R1[i] * b->R1[i] * (sphere ? b->R1[i] : 1);
         b->m2[i] = density * b->R2[i] * b->R2[i] * (sphere ? b->R2[i] : 1);
         double I1 = of_mass * b->m1[i] * b->R1[i] * b->R1[i], I2 = of_mass * b->m2[i] * b->R2[i] * b->R2[i];
-        tr_pair_bodies bodies = {b->R1[i], b->R2[i], b->m1[i], b->m2[i], I1, I2, 0, 0, 0, false, false, 1, 1};
+        tr_pair_bodies bodies = {b->R1[i], b->R2[i], b->m1[i], b->m2[i], I1, I2, 0, 0, 0, false, 1, 1};
         for (int s = 0; s < 3; s++) {
             double constants[TR_MAX_PAIR];
             if (!b->law[s]->pair) continue;

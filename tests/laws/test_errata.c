@@ -121,7 +121,7 @@ static void set(const char *key, double value) {
 static void step(double f_n, double dt) {
     tr_law_data data = {.par = B.chosen.par,
                         .hist = (double *[]){B.hist, B.hist + 1},
-                        .pair = (double *[]){B.pair, B.pair + 1, B.pair + 2}};
+                        .pair = (double *[]){B.pair, B.pair + 1, B.pair + 2, B.pair + 3}};
     if (B.law->pair) B.law->pair(B.chosen.par, &B.bodies, B.pair);
     B.tile.f_n[0] = f_n, B.tile.dt = dt;
     B.law->step(&B.tile, &data);

@@ -140,7 +140,7 @@ static void check_stiffness(const tr_law *law, const double *R, const reference 
         assert_close(error[3], 0, 0, h[3] * h[3] / 6); /* delta^2 P'''/(6 P'), less than 1/6 for both laws */
         /* and their extrapolation, which leaves the fourth order */
         assert_close((4 * error[3] - error[2]) / 3, 0, 0, h[2] * h[2] * h[2] * h[2]);
-        tr_pair_bodies bodies = {.R1 = R[0], .R2 = R[1], .m1 = 3, .m2 = 5, .delta = delta};
+        tr_pair_bodies bodies = {.R1 = R[0], .R2 = R[1], .m1 = R[0] > 0 ? 3 : INFINITY, .m2 = 5, .delta = delta};
         tr_stiffness bound = law->stiffness(par, &bodies);
         assert_true(bound.k == k);
         assert_close(bound.c, 2 * ZETA * sqrt(k * (R[0] > 0 ? 15.0 / 8 : 5)), 1e-15, 0);

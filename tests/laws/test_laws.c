@@ -51,7 +51,8 @@ static double parameter(int slot, const char *key) {
 
 static tr_pair_bodies bodies_of(int i) {
     double R1 = B.R1[i], R2 = B.R2[i], m1 = B.m1[i], m2 = B.m2[i];
-    return (tr_pair_bodies){.R1 = R1, .R2 = R2, .m1 = m1, .m2 = m2, .I1 = m1 * R1 * R1 / 2, .I2 = m2 * R2 * R2 / 2};
+    double I1 = R1 > 0 ? m1 * R1 * R1 / 2 : INFINITY;
+    return (tr_pair_bodies){.R1 = R1, .R2 = R2, .m1 = m1, .m2 = m2, .I1 = I1, .I2 = m2 * R2 * R2 / 2};
 }
 
 /* Any parameter: a stiffness 2e6, a number 0.3. Lane 0 is a wall, the others pairs of ratio up to 10. */
