@@ -11,6 +11,23 @@ typedef struct share {
     double inv_m, inv_I;
 } share;
 
+/* The largest stable step of what has no more than the stiffness w2 and the damping g per mass: dt^2 w2 + 2 dt g = 4, written so
+ * that nothing cancels. Infinite where it has neither. */
+static double mode_limit(double w2, double g) {
+    return 4 / (g + sqrt(g * g + 4 * w2));
+}
+
+/* Sliding and rolling: their inverse masses, and what couples them. */
+typedef struct tangential {
+    double slide, roll, mixed;
+} tangential;
+
+/* The larger eigenvalue of f (slide) (slide)' + r (roll) (roll)': of stiffnesses, or of dashpots. */
+static double larger(const tangential *t, double f, double r) {
+    double p = f * t->slide, q = r * t->roll, both = sqrt(f * r) * t->mixed;
+    return 0.5 * (p + q + sqrt((p - q) * (p - q) + 4 * both * both));
+}
+
 /* bodies.delta: the overlap to expect. */
 static double contact_limit(const tr_group *g, tr_pair_bodies bodies, share one, share two) {
     const tr_slot *spring = &g->slot[TR_NORMAL], *friction = &g->slot[TR_FRICTION], *rolling = &g->slot[TR_ROLLING];
@@ -21,19 +38,12 @@ static double contact_limit(const tr_group *g, tr_pair_bodies bodies, share one,
     if (friction->law->step) f = friction->law->stiffness(friction->par, &bodies);
     if (rolling->law->step) r = rolling->law->stiffness(rolling->par, &bodies);
 
-    double s = one.inv_m + two.inv_m;
-    double normal = s > 0 ? (sqrt(n.c * n.c + 4 * n.k / s) - n.c) / n.k : INFINITY;
-
-    /* V_s = Vt + r1 w1 + r2 w2 and V_r = l1 w1 - l2 w2 + e Vt: inverse masses along each, and what couples them. */
-    double slide = f.k * (s + r1 * r1 * one.inv_I + r2 * r2 * two.inv_I);
-    double spins = r.lever1 * r.lever1 * one.inv_I + r.lever2 * r.lever2 * two.inv_I;
-    double roll = r.k * (spins + r.along * r.along * s);
-    double mixed = sqrt(f.k * r.k) * (r1 * r.lever1 * one.inv_I - r2 * r.lever2 * two.inv_I + r.along * s);
-    double w2 = 0.5 * (slide + roll + sqrt((slide - roll) * (slide - roll) + 4 * mixed * mixed));
-    double tangential = w2 > 0 ? 2 / sqrt(w2) : INFINITY, damp = r.c * spins;
-    if (damp > 0 && w2 > 0)
-        tangential = (sqrt(damp * damp + 4 * w2) - damp) / w2; /* as if all of w2 were damped: cautious */
-    return fmin(normal, tangential);
+    /* V_s = Vt + r1 w1 + r2 w2 and V_r = l1 w1 - l2 w2 + e Vt */
+    const double s = one.inv_m + two.inv_m, l1 = r.lever1, l2 = r.lever2, e = r.along;
+    const tangential t = {.slide = s + r1 * r1 * one.inv_I + r2 * r2 * two.inv_I,
+                          .roll = l1 * l1 * one.inv_I + l2 * l2 * two.inv_I + e * e * s,
+                          .mixed = r1 * l1 * one.inv_I - r2 * l2 * two.inv_I + e * s};
+    return fmin(mode_limit(n.k * s, n.c * s), mode_limit(larger(&t, f.k, r.k), larger(&t, f.c, r.c)));
 }
 
 static double overlap(const tr_world *world, const tr_group *g, int i) {

@@ -7,8 +7,12 @@
  * so that it is enough that every single contact satisfies the inequality with its two shares m/z, I/z. A single
  * contact has one normal mode and two tangential ones, known in closed form:
  *
- *   normal     s (k dt^2 + 2 c dt) = 4,  s = z1/m1 + z2/m2
- *   tangential sliding (k_t) and rolling (k_r) stiffness coupled through the spins: larger eigenvalue of a 2 x 2 matrix
+ *   normal     w2 dt^2 + 2 g dt = 4,  w2 = k s, g = c s,  s = z1/m1 + z2/m2
+ *   tangential the same, w2 the larger eigenvalue of a 2 x 2 matrix, the stiffnesses of sliding and rolling coupled through
+ *              the spins, and g that of their dashpots
+ *
+ * Dashpots alone: dt < 2/g. Where the tangential modes of w2 and of g are not the same one, their sum is cautious: of one
+ * contact 0.618 of the exact bound or more.
  *
  * Stability is meant of a symmetric K: a rolling velocity that is not conjugate to its moments (wang-spring with another one than
  * wang) lets some packings grow at any step; trundle verify not-conjugate says how many.
