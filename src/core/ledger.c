@@ -27,14 +27,16 @@ static inline double cut(double value, double bound) {
     return value < -bound ? -bound : value;
 }
 
-/* Eight partial sums, so that adding up is not a chain of waits; always the same eight. */
-TR_VECTOR static double sum(int n, const double *restrict lane) {
-    double part[8] = {0};
+/* Books what the contacts of a tile lost: the sum, and that of what is below zero apart. Eight partial sums, so that adding up
+ * is not a chain of waits; always the same eight. */
+TR_VECTOR static void book(int n, const double *restrict lost, double *restrict net, double *restrict made) {
+    double part[8] = {0}, below[8] = {0};
     int i = 0;
     for (; i + 8 <= n; i += 8)
-        for (int k = 0; k < 8; k++) part[k] += lane[i + k];
-    for (; i < n; i++) part[i & 7] += lane[i];
-    return ((part[0] + part[1]) + (part[2] + part[3])) + ((part[4] + part[5]) + (part[6] + part[7]));
+        for (int k = 0; k < 8; k++) part[k] += lost[i + k], below[k] += lost[i + k] < 0 ? lost[i + k] : 0;
+    for (; i < n; i++) part[i & 7] += lost[i], below[i & 7] += lost[i] < 0 ? lost[i] : 0;
+    *net += ((part[0] + part[1]) + (part[2] + part[3])) + ((part[4] + part[5]) + (part[6] + part[7]));
+    *made -= ((below[0] + below[1]) + (below[2] + below[3])) + ((below[4] + below[5]) + (below[6] + below[7]));
 }
 
 /* Adds the work done on contacts over the step: mean of the force before, cut to the bound, and now, times velocity. */
@@ -73,7 +75,7 @@ TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict d
         lost[i] = 0.5 * ((before > 0 ? before : 0) + now * tile->v_n[i]) * dt;
         f_d[i] = now;
     }
-    ledger->damped += sum(n, lost);
+    book(n, lost, &ledger->damped, &ledger->made[TR_NORMAL]);
     if (friction->law->step) {
         h = g->hist + block(g, TR_FRICTION);
         law = tr_group_data(g, friction);
@@ -81,7 +83,7 @@ TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict d
         memset(lost, 0, sizeof lost);
         add_work(n, dt, tile->f_t, tile->v_s, bound, h[F_T] + first, lost);
         take_store(n, energy, h[E_FRICTION] + first, lost);
-        ledger->friction += sum(n, lost);
+        book(n, lost, &ledger->friction, &ledger->made[TR_FRICTION]);
     }
     if (rolling->law->step) {
         h = g->hist + block(g, TR_ROLLING);
@@ -104,7 +106,7 @@ TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict d
         for (int i = 0; i < n; i++) spin[i] = -tile->w2[i];
         add_work(n, dt, tile->m2, spin, bound, h[M2] + first, lost);
         take_store(n, energy, h[E_ROLLING] + first, lost);
-        ledger->rolling += sum(n, lost);
+        book(n, lost, &ledger->rolling, &ledger->made[TR_ROLLING]);
     }
 }
 
@@ -154,6 +156,7 @@ tr_energy tr_ledger_read(const tr_world *world) {
     const tr_disks *d = &world->disks;
     tr_energy e = {
         .damped = ledger->damped, .friction = ledger->friction, .rolling = ledger->rolling, .work = ledger->work};
+    memcpy(e.made, ledger->made, sizeof e.made);
     /* K = ½ m v^(n-1/2) v^(n+1/2), the latter = v + dt F/m; in a cell v is relative to its homogeneous flow */
     const double flow[3] = {tr_cell_strain_rate(&world->cell, 0), tr_cell_strain_rate(&world->cell, 1), 0};
     for (int i = 0; i < d->n; i++)

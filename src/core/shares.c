@@ -11,7 +11,7 @@
 
 /* What a tile adds to the sums over all. */
 typedef struct sums {
-    double virial[2], lost[3]; /* lost: of the ledger */
+    double virial[2], lost[3], made[TR_N_SLOTS]; /* lost, made: of the ledger */
     int touching;
     bool mixed; /* the tile has disks of an earlier thread */
 } sums;
@@ -131,8 +131,11 @@ static void run_passes(tr_world *world, tr_tile *tile, int first, sums *to) {
     }
     tr_periodic_cell cell = {0};
     if (world->cell.side[0] > 0) tr_cell_add_virial(&cell, tile);
-    *to =
-        (sums){{cell.virial[0], cell.virial[1]}, {lost.damped, lost.friction, lost.rolling}, tile->touching, to->mixed};
+    *to = (sums){.virial = {cell.virial[0], cell.virial[1]},
+                 .lost = {lost.damped, lost.friction, lost.rolling},
+                 .made = {lost.made[0], lost.made[1], lost.made[2]},
+                 .touching = tile->touching,
+                 .mixed = to->mixed};
 }
 
 /* As tr_tile_scatter, with what belongs to an earlier thread kept. */
@@ -184,6 +187,7 @@ bool tr_shares_forces(tr_world *world, double dt, tr_status *st) {
         if (!world->ledger) continue;
         world->ledger->damped += t->lost[0], world->ledger->friction += t->lost[1],
             world->ledger->rolling += t->lost[2];
+        for (int slot = 0; slot < TR_N_SLOTS; slot++) world->ledger->made[slot] += t->made[slot];
     }
     return true;
 }

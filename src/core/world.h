@@ -132,6 +132,7 @@ struct tr_group {
 /* Energy by mechanism; see ledger.h. */
 struct tr_ledger {
     double damped, friction, rolling; /* dissipated [N] (J per metre of length) */
+    double made[TR_N_SLOTS];          /* by the normal, the friction and the rolling law [N] */
     double work;                      /* done by the walls or the cell on the disks [N] */
     double start;                     /* energy of the disks and contacts when the ledger began [N] */
     double wall_fx[TR_MAX_WALLS], wall_fy[TR_MAX_WALLS], cell_force[2]; /* of the step before */

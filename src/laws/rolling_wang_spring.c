@@ -6,7 +6,7 @@
  *
  * T is a quasi-force [N/m] (history); the two bodies feel opposite moments and no force. V_r: the scene's rolling
  * velocity. With wang the power is -T V_r exactly. With the other definitions it is not: driven around a closed cycle of
- * sliding and rolling, bagi-kuhn makes or loses energy, which the ledger shows as dissipation of either sign.
+ * sliding and rolling, bagi-kuhn makes or loses energy; the ledger books what it makes apart from the net.
  *
  * differs: eq. 28 compares a torque with a force and stops incrementing at the bound, which locks; here the trial value
  * is clamped. The lever is not printed by Wang; R_eff makes T conjugate to V_r. At a wall R_eff = R2.

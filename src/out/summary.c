@@ -98,6 +98,29 @@ static char *finish(json_t *o, const tr_timing *timing, tr_status *st) {
     return st->code ? NULL : line;
 }
 
+/* What each mechanism holds and has taken; the names are those of history.csv. */
+static json_t *energy_of(tr_shape shape, const tr_energy *e) {
+    const struct {
+        const char *name;
+        double net, made;
+    } lost[] = {{"damped", e->damped, e->made[TR_NORMAL]},
+                {"friction", e->friction, e->made[TR_FRICTION]},
+                {"rolling", e->rolling, e->made[TR_ROLLING]}};
+    json_t *o = json_object();
+    add_by_shape(o, shape, "kinetic_J_per_m|kinetic_J", e->kinetic);
+    add_by_shape(o, shape, "elastic_normal_J_per_m|elastic_normal_J", e->elastic_normal);
+    add_by_shape(o, shape, "elastic_friction_J_per_m|elastic_friction_J", e->elastic_friction);
+    add_by_shape(o, shape, "elastic_rolling_J_per_m|elastic_rolling_J", e->elastic_rolling);
+    for (size_t i = 0; i < sizeof lost / sizeof *lost; i++) {
+        json_t *of = json_object();
+        add_by_shape(of, shape, "net_J_per_m|net_J", lost[i].net);
+        add_by_shape(of, shape, "made_J_per_m|made_J", lost[i].made);
+        add(of, "made_over_work", lost[i].made / fabs(e->work));
+        json_object_set_new(o, lost[i].name, of);
+    }
+    return o;
+}
+
 char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, double unbalanced, const tr_strength *s,
                          double mean_stress_2, const tr_energy *energy, const tr_timing *timing, tr_status *st) {
     json_t *o = begin(scene, "biaxial");
@@ -136,6 +159,7 @@ char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, 
         add_by_shape(o, scene->shape, "energy_work_J_per_m|energy_work_J", energy->work);
         add_by_shape(o, scene->shape, "energy_residual_J_per_m|energy_residual_J", energy->residual);
         add(o, "energy_residual_over_work", energy->residual / energy->work);
+        json_object_set_new(o, "energy", energy_of(scene->shape, energy));
     }
     add_pipeline(o, &b->world);
     return finish(o, timing, st);

@@ -73,6 +73,9 @@ void tr_row_biaxial(tr_row *row, const tr_biaxial_state *s, const tr_measures *m
     tr_row_add(row, e->friction, "friction_J_per_m|friction_J");
     tr_row_add(row, e->rolling, "rolling_J_per_m|rolling_J");
     tr_row_add(row, e->residual, "residual_J_per_m|residual_J");
+    tr_row_add(row, e->made[TR_NORMAL], "damped_made_J_per_m|damped_made_J");
+    tr_row_add(row, e->made[TR_FRICTION], "friction_made_J_per_m|friction_made_J");
+    tr_row_add(row, e->made[TR_ROLLING], "rolling_made_J_per_m|rolling_made_J");
 }
 
 static void add_spread(tr_row *row, tr_spread s, const char *name) {

@@ -311,6 +311,27 @@ static bool close_outputs(test *t, tr_status *st) {
     return tr_outputs_close(&t->out, st);
 }
 
+/* Why a law can make energy. A law that claims to make none does so by the time step alone. */
+static const char *why_made(const tr_law *law, int rolling_velocity) {
+    if (law->needs & TR_NEEDS_V_R && rolling_velocity != 0) return "its moments do not fit the rolling_velocity";
+    if (law->claims & TR_ENERGY_CLOSED) return "the less the smaller step.safety is";
+    return "closed cycles of it may make energy";
+}
+
+/* Rounding and thin contacts stay far below 1 % of the work. */
+static void report_made(test *t) {
+    static const char *const slot_name[TR_N_SLOTS] = {"normal", "friction", "rolling"};
+    const tr_energy *e = &t->energy;
+    const double net[TR_N_SLOTS] = {e->damped, e->friction, e->rolling}, work = fabs(e->work);
+    for (int k = 0; k < TR_N_SLOTS; k++) {
+        const tr_law *law = t->b.world.group[0].slot[k].law;
+        if (!(e->made[k] > 0.01 * work)) continue;
+        tr_run_note(t->report, "the %s law %s made energy: %.3g times the work of the walls (net it took %.3g); %s",
+                    slot_name[k], law->table.name, e->made[k] / work, net[k] / work,
+                    why_made(law, t->b.world.rolling_velocity));
+    }
+}
+
 static void report(test *t, const tr_strength *s, const tr_timing *timing) {
     tr_run_report *r = t->report;
     tr_run_say(r, "disks, seed", "%d, %llu", t->scene->sample.disks, (unsigned long long)t->scene->seed);
@@ -326,8 +347,10 @@ static void report(test *t, const tr_strength *s, const tr_timing *timing) {
     double held = mean ? 0.5 * (t->stress_1_sum + t->stress_2_sum) : t->stress_2_sum;
     tr_run_say(r, mean ? "mean stress" : "lateral stress", "%.4g %s, asked %.4g", held / t->stress_n,
                t->scene->shape == TR_SHAPE_SPHERE ? "N/m" : "Pa", t->scene->shear.lateral_pressure);
-    if (t->b.world.ledger && t->energy.work != 0)
+    if (t->b.world.ledger && t->energy.work != 0) {
         tr_run_say(r, "energy residual/work", "%.1e", t->energy.residual / t->energy.work);
+        report_made(t);
+    }
     tr_run_say(r, "time step", "%.3g s, bound %.3g s", t->b.world.dt, t->b.dt_bound);
     tr_run_say(r, "steps", "%lld compaction, %lld shear", (long long)t->b.shear_start, (long long)t->b.shear_steps);
     tr_run_say(r, "wall time", "%.1f s, %.1f M contact updates/s", timing->wall_s, timing->contact_updates_per_s / 1e6);

@@ -196,6 +196,27 @@ else
     for what in 'summary.json is JSON' 'its numbers are numbers' 'nothing is null'; do skip "$what" 'no jq'; done
 fi
 
+# ---- energy that a law makes ----
+sed 's/mu_r: 0.5/mu_r: 2, k_r: 10*k_t, rolling_velocity: alonso-min/' small.yaml >made.yaml
+check 'a run whose rolling law makes energy' run_gives 0 made.yaml -o made
+check 'says so in plain words' says stderr 'note: the rolling law wang-spring made energy: '
+check 'and why' says stderr 'its moments do not fit the rolling_velocity'
+check 'one that makes none says nothing' run_gives 0 small.yaml -o none-made
+check 'nothing at all' not grep -q 'made energy' stderr
+# The last column of history.csv against summary.json: 9 digits against 15.
+rolling_made() {
+    json=$(sed -n '/"rolling": {/,/}/s/.*"made_J_per_m": \([^,]*\).*/\1/p' made/summary.json)
+    awk -F, -v json="$json" '
+        NR == 1 {for (i = 1; i <= NF; i++) n[$i] = i; next} {made = $n["rolling_made_J_per_m"]; net = $n["rolling_J_per_m"]}
+        END {print made, net, json; exit !(made > 0 && made >= -net && (made - json)^2 < 1e-16*made^2)}' made/history.csv
+}
+check 'summary.json and history.csv agree on how much' rolling_made
+check 'a sweep can collect it' says made/summary.json '"made_over_work":'
+check 'without the ledger' run_gives 0 made.yaml -o no-ledger --set output.energy=no
+check 'nothing is said of energy' not grep -q '"energy[_"]' no-ledger/summary.json
+check 'neither on the way' not grep -q 'made energy' stderr
+check 'nor in history.csv' not grep -q 'J_per_m' no-ledger/history.csv
+
 # ---- the same bytes ----
 without_timing() { sed '/"timing"/,/}/d' "$1"; }
 same() { # DIR DIR: all but the timing, the curves that gnuplot drew from the same numbers included
