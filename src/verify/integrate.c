@@ -34,15 +34,18 @@ static bool velocity_verlet(tr_world *world, int64_t n, tr_status *st) {
     return true;
 }
 
+/* The forces of the step before are kept here: tr_step_advance leaves them at 0. */
 static bool predicted(tr_world *world, int64_t n, tr_status *st) {
-    size_t bytes = 4 * (size_t)world->disks.n * sizeof(double);
-    double *half = tr_alloc(1, bytes, st);
+    const tr_disks *d = &world->disks;
+    size_t lanes = 4 * (size_t)d->n, bytes = lanes * sizeof(double);
+    double *half = tr_alloc(2 * lanes, sizeof *half, st), *before = half + lanes;
     bool ok = half;
+    if (ok) memcpy(before, d->force, bytes);
     for (int64_t i = 0; i <= n && ok; i++) {
-        memcpy(half, world->disks.vel, bytes);
-        tr_integrate_kick(world, 0.5);
+        memcpy(half, d->vel, bytes);
+        for (size_t k = 0; k < lanes; k++) d->vel[k] += 0.5 * world->dt * d->inv[k] * before[k];
         ok = tr_step_forces(world, st);
-        memcpy(world->disks.vel, half, bytes);
+        memcpy(d->vel, half, bytes), memcpy(before, d->force, bytes);
         if (i < n) tr_step_advance(world);
     }
     if (ok) tr_integrate_kick(world, 0.5);
