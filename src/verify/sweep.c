@@ -109,7 +109,9 @@ static bool add_points(tr_verify *v, const tr_sweep *s, int m, cell *c, tr_statu
     return true;
 }
 
-bool tr_sweep_add(tr_verify *v, const tr_sweep *s, tr_status *st) {
+bool tr_sweep_add(tr_verify *v, const tr_sweep *sweep, tr_status *st) {
+    tr_sweep own = *sweep, *s = &own;
+    if (v->brief) own.repeats = 1;
     cell c[TR_SWEEP_METHODS][TR_SWEEP_STEPS];
     for (int r = 0; r < s->repeats; r++)
         for (int k = 0; k < s->steps; k++)

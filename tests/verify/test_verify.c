@@ -2,6 +2,7 @@
 /* What makes a number of `trundle verify` right or wrong, what its table holds, and that every verification says what a
  * reviewer asks: source, and a mutation that it catches. The numbers themselves are checked by `trundle verify`. */
 #include "assert_close.h"
+#include "verify/sweep.h"
 #include "verify/verify.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -128,10 +129,42 @@ static void test_registry(void **state) {
     assert_true(exact > 20);
 }
 
+static int runs; /* of the sweep below */
+
+/* An error of 0.01 step^2, and a time. */
+static bool square(void *context, int method, int k, tr_sweep_result *result, tr_status *st) {
+    (void)context, (void)method, (void)st;
+    double step = 1.0 / (1 << k);
+    *result = (tr_sweep_result){step, 0.01 * step * step, 1e-3};
+    runs++;
+    return true;
+}
+
+/* In brief a sweep measures each point once, and has the same rows. */
+static void test_sweep_in_brief(void **state) {
+    (void)state;
+    static const tr_sweep_method method = {"square", 2, 1e-9, "rounding"};
+    const tr_sweep sweep = {"step", &method, 1, 5, 7, 0, 2, 0.01 / 16 * 1.001, "exact", square, NULL};
+    for (int brief = 0; brief < 2; brief++) {
+        tr_verify v = {.now = &one, .brief = brief};
+        tr_status st = {0};
+        runs = 0;
+        assert_true(tr_sweep_add(&v, &sweep, &st));
+        assert_int_equal(runs, brief ? 5 : 35);
+        assert_int_equal(v.n, 2);
+        assert_int_equal(v.n_points, 5);
+        assert_int_equal(v.failed, 0);
+        assert_close(v.row[0].row.computed, 0.01 / 16, 1e-15, 0);
+        assert_close(v.row[1].row.computed, 2, 1e-12, 0);
+        tr_verify_free(&v);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_rows), cmocka_unit_test(test_outcomes), cmocka_unit_test(test_many),
         cmocka_unit_test(test_stop), cmocka_unit_test(test_table),    cmocka_unit_test(test_registry),
+        cmocka_unit_test(test_sweep_in_brief),
     };
     return cmocka_run_group_tests_name("verify", tests, NULL, NULL);
 }
