@@ -3,6 +3,7 @@
 #include "verify/exact.h"
 
 #include "laws/law.h"
+#include <stdio.h>
 #include <string.h>
 
 bool tr_exact_row(tr_verify *v, const char *quantity, const char *unit, double computed, double reference,
@@ -38,6 +39,17 @@ bool tr_exact_path(const char *text, tr_contact_state *end, int n, tr_scene_pair
     if (!tr_scene_read(&scene, "path", text, strlen(text), NULL, 0, tr_laws_catalog(), st)) return false;
     if (pair) *pair = scene.pair;
     bool ok = drive(&scene, end, n, st);
+    tr_scene_free(&scene);
+    return ok;
+}
+
+bool tr_exact_laws(tr_world *world, const char *contact, unsigned sinks, tr_status *st) {
+    char text[400];
+    tr_scene scene;
+    snprintf(text, sizeof text,
+             "kind: bodies\ntime_end: 1\ncontact: {%s}\ndisks: [{radius: 1, density: 1, x: 0, y: 0}]\n", contact);
+    if (!tr_scene_read(&scene, "laws", text, strlen(text), NULL, 0, tr_laws_catalog(), st)) return false;
+    bool ok = tr_world_set_laws(world, &scene.contact, false, sinks, st);
     tr_scene_free(&scene);
     return ok;
 }
@@ -119,5 +131,30 @@ const tr_verification tr_verify_exact[] = {
      "kinematics.c: full radius for the arm of the torque", tr_exact_collision},
     {"exact", "packing", "60 disks sheared between walls: the ledger of energy", "conservation",
      "ledger.c: half of the work of the walls", tr_exact_packing},
+    {"exact", "periodic-cell", "a gas and a lattice in a cell that changes", "straight flight, virial [Love1927]",
+     "cell.c: sign of the rate in the velocity of what leaves the cell", tr_exact_cell},
+    {"exact", "compaction-drag", "the drag of compaction acts against the flow of the cell", "x/L, (1 - drag dt) L/L'",
+     "biaxial.c: vel + flow pos", tr_exact_drag},
+    {"exact", "servo", "what a periodic cell holds in the shear", "what the case asks",
+     "biaxial.c: sign of the excess of the mean stress", tr_exact_hold},
+    {"exact", "patch-loads", "half-plane: the normal force changes with and after the push", "[Mindlin1953]",
+     "half_plane.c: the grid of before taken for that of now", tr_exact_patch_loads},
+    {"exact", "patch-reversed", "half-plane and closed form: rolling along -x", "[Carter1926], mirrored",
+     "carter.c: X where roll < 0 not turned", tr_exact_patch_reversed},
+    {"exact", "patch-slip", "how far the edge slips, pushed", "slope of a surface beside Hertz's contact",
+     "cattaneo.c: sign of the logarithm", tr_exact_patch_slip},
+    {"exact", "bed-energy", "what cattaneo-mindlin stores: pushed, turned back", "Hertz's pressures, superposed",
+     "bed.c: sign of P e in the energy", tr_exact_bed_energy},
+    {"exact", "creep-books", "what laws say that creep takes off the sliding",
+     "k_t (u_slide - u_creep) = Q; steady rolling", "friction_dahlberg_alfredsson.c: 1 + sqrt(1 - q) in crept",
+     tr_exact_creep_books},
+    {"exact", "sign-laws", "spins that a step stops, with friction's torque", "I w' = I w + (M - r Q) dt",
+     "rolling_star_constant_torque.c: sign of friction's torque", tr_exact_sign_laws},
+    {"exact", "conjugate-pair", "bagi-kuhn-conjugate on disks of unequal radii", "power; eigenvalue of two springs",
+     "rolling_bagi_kuhn_conjugate.c: sign of `along`; a lever that is not halved", tr_exact_conjugate},
+    {"exact", "rolling-share", "share of rolling in the motion of contacts", "rigid motion",
+     "measures.c: sliding left out", tr_exact_rolling_share},
+    {"exact", "turning-gravity", "a disk that falls while gravity turns", "integral of gravity",
+     "bodies.c: turned the other way", tr_exact_turning_gravity},
 };
 const int tr_n_verify_exact = sizeof tr_verify_exact / sizeof *tr_verify_exact;

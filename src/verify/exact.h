@@ -3,6 +3,7 @@
 #ifndef TR_VERIFY_EXACT_H
 #define TR_VERIFY_EXACT_H
 
+#include "core/world.h"
 #include "study/contact.h"
 #include "verify/verify.h"
 
@@ -17,6 +18,9 @@ bool tr_exact_row_and(tr_verify *v, const char *quantity, const char *unit, doub
 /* Drives the first law of a case of kind contact: state at the end of each segment, at most n of them. pair: of the case;
  * may be NULL. */
 bool tr_exact_path(const char *text, tr_contact_state *end, int n, tr_scene_pair *pair, tr_status *st);
+
+/* Gives a world whose disks are set the laws of `contact: {...}` of a case. */
+bool tr_exact_laws(tr_world *world, const char *contact, unsigned sinks, tr_status *st);
 
 /* What is behind "prefix-" in the name of the verification at work: its law. */
 const char *tr_exact_of(const tr_verify *v, const char *prefix);
@@ -34,5 +38,10 @@ tr_verify_this tr_exact_patch_cattaneo, tr_exact_patch_carter, tr_exact_patch_ka
 tr_verify_this tr_exact_claims, tr_exact_cycle;      /* exact_claims.c */
 tr_verify_this tr_exact_observers, tr_exact_errata;  /* exact_motions.c */
 tr_verify_this tr_exact_collision, tr_exact_packing; /* exact_balance.c */
+tr_verify_this tr_exact_cell, tr_exact_drag, tr_exact_hold; /* exact_cell.c */
+tr_verify_this tr_exact_patch_loads, tr_exact_patch_reversed, tr_exact_patch_slip; /* exact_loads.c */
+tr_verify_this tr_exact_bed_energy, tr_exact_creep_books; /* exact_bed.c */
+tr_verify_this tr_exact_sign_laws, tr_exact_conjugate, tr_exact_rolling_share,
+    tr_exact_turning_gravity; /* exact_turns.c */
 
 #endif

@@ -7,8 +7,8 @@
  *
  * One seed of 400 disks scatters by 0.045 (one standard deviation, known from trials by another program), one of 120 by sqrt(400/120)
  * times that, 0.082. Three standard errors of a mean over 12 seeds: 0.071; of a difference: 0.10. A difference that is smaller cannot
- * be seen here: these rows find gross dependences only. That program had 0.28 without rolling resistance. In brief: 4 seeds, and
- * standard errors that are sqrt(12/4) times as large.
+ * be seen here: these rows find gross dependences only. That program had 0.28 without rolling resistance.
+ * In brief: 4 seeds, and standard errors that are sqrt(12/4) times as large.
  */
 #include "core/biaxial.h"
 #include "core/step.h"
@@ -147,7 +147,8 @@ bool tr_precision_biaxial(tr_verify *v, tr_status *st) {
     for (int seed = 0; seed < some[all(v)]; seed++)
         for (int i = 0; i < N; i++)
             if (!tr_verify_go_on(v, st) || !test(&variants[i], seed, st)) return false;
-    bool ok = add_row(v, &variants[N - 1], NULL, 0.28, 0.071, 0.009, "three standard errors, and the last digit of 0.28", st);
+    bool ok =
+        add_row(v, &variants[N - 1], NULL, 0.28, 0.071, 0.009, "three standard errors, and the last digit of 0.28", st);
     for (int i = 1; i < N - 1 && ok; i++)
         ok = add_row(v, &variants[i], &variants[0], 0, 0.10, 0, "three standard errors of a difference", st);
     for (int i = 0; i < N && ok; i++) ok = add_points(v, &variants[i], i == 0, st);

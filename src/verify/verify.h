@@ -86,7 +86,8 @@ struct tr_verify {
     const tr_verification *now;
     double started; /* [s] of the one at work */
     const volatile sig_atomic_t *stop;
-    bool brief; /* for the tests: all rows, but each point is measured once, and of samples there are fewer seeds */
+    /* For the tests: all rows, but each point is measured once, and of samples there are fewer seeds. */
+    bool brief;
     tr_verified *row;
     int n, capacity, failed;
     struct tr_verify_pointed {

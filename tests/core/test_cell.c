@@ -299,6 +299,37 @@ static void test_no_place_is_special(void **state) {
     assert_same_elsewhere(0, 0, 5, -8); /* 2 to 3 mm in 600 steps: through the edges */
 }
 
+/* Before the first contact: the drag of compaction acts against the flow of the cell. Disks that follow it keep x/L;
+ * of what a disk has besides, c L falls by 1 - drag dt in a step. */
+static void test_drag_is_against_the_flow(void **state) {
+    (void)state;
+    enum { FEW = 30, STEPS = 20 };
+    tr_scene scene = periodic_scene(FEW, 3, sand);
+    tr_biaxial b;
+    tr_status st = {0};
+    double x0[FEW][2], unbalanced, want = 0.01;
+    bool done;
+    if (!tr_biaxial_init(&b, &scene, &st)) fail_msg("%s", st.text);
+    tr_world *w = &b.world;
+    const double L0 = w->cell.side[0];
+    for (int i = 0; i < FEW; i++) memcpy(x0[i], w->disks.pos + 4 * i, sizeof x0[i]);
+    for (int k = 0; k < 2; k++) w->cell.mass[k] = 0, tr_cell_set_rate(w, k, -0.3);
+    w->disks.vel[0] += want;
+    for (int n = 0; n < STEPS; n++) {
+        if (!tr_biaxial_compact(&b, 1, &unbalanced, &done, &st)) fail_msg("%s", st.text);
+        want *= 1 - b.drag * w->dt;
+    }
+    assert_true(w->contact_updates == 0);
+    for (int i = 1; i < FEW; i++)
+        for (int k = 0; k < 2; k++) {
+            double turns = w->disks.pos[4 * i + k] / w->cell.side[k] - x0[i][k] / L0;
+            assert_close(turns, rint(turns), 0, 1e-13); /* 20 roundings */
+        }
+    double c = w->disks.vel[0] - tr_cell_strain_rate(&w->cell, 0) * w->disks.pos[0];
+    assert_close(c * w->cell.side[0] / L0, want, 1e-12, 0);
+    tr_biaxial_free(&b);
+}
+
 /* Four copies side by side are the same sample in a cell twice as wide and high. */
 static void test_tiles(void **state) {
     (void)state;
@@ -397,6 +428,7 @@ int main(void) {
         cmocka_unit_test(test_lattices_flow),
         cmocka_unit_test(test_gas),
         cmocka_unit_test(test_no_place_is_special),
+        cmocka_unit_test(test_drag_is_against_the_flow),
         cmocka_unit_test(test_tiles),
         cmocka_unit_test(test_momentum),
         cmocka_unit_test(test_thin_cell_is_refused),

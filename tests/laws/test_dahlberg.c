@@ -223,11 +223,39 @@ static void test_inside_the_cap_for_any_input(void **state) {
     for (int i = 0; i < TR_TILE; i++) assert_true(Q[i] == 0);
 }
 
+/* What the law says that creep took is what did not go into the spring: k (Vs dt - creep) = dQ, below the cap. */
+static void test_creep_is_what_the_spring_misses(void **state) {
+    (void)state;
+    set_up(0.02, 0.01);
+    tr_law_data data = {.par = par, .hist = (double *[]){Q}};
+    tr_random r = tr_random_seed(8, 1);
+    double before[TR_TILE];
+    tr_lane took;
+    tile.dt = 1e-6;
+    for (int n = 0; n < 200; n++) {
+        for (int i = 0; i < TR_TILE; i++) {
+            tile.f_n[i] = 1e5, before[i] = Q[i];
+            tile.v_s[i] = tr_random_uniform(&r) - 0.5;
+            tile.s1[i] = 100 * (tr_random_uniform(&r) - 0.5), tile.s2[i] = tile.s1[i];
+        }
+        run();
+        law->creep(&tile, &data, took);
+        for (int i = 0; i < TR_TILE; i++) { /* rounding of Q, which is below mu P */
+            assert_true(fabs(Q[i]) < MU * tile.f_n[i]);
+            assert_close(K_T * (tile.v_s[i] * tile.dt - took[i]), Q[i] - before[i], 0, 1e-14 * MU * tile.f_n[i]);
+        }
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_first_order),      cmocka_unit_test(test_carter_is_the_steady_state),
-        cmocka_unit_test(test_one_step_by_hand), cmocka_unit_test(test_creep_roll),
-        cmocka_unit_test(test_without_rolling),  cmocka_unit_test(test_inside_the_cap_for_any_input),
+        cmocka_unit_test(test_first_order),
+        cmocka_unit_test(test_carter_is_the_steady_state),
+        cmocka_unit_test(test_one_step_by_hand),
+        cmocka_unit_test(test_creep_roll),
+        cmocka_unit_test(test_without_rolling),
+        cmocka_unit_test(test_inside_the_cap_for_any_input),
+        cmocka_unit_test(test_creep_is_what_the_spring_misses),
     };
     return cmocka_run_group_tests_name("dahlberg", tests, NULL, NULL);
 }

@@ -81,6 +81,7 @@ static void test_cattaneo_sticks_and_slips(void **state) {
                 assert_close(behind, 0, 0, TIGHT * fabs(u));
             else /* slip, of the sign of Q, at the full traction */
                 assert_true(way * behind > 0);
+            assert_close(tr_cattaneo_slip(&pair, P, qs[k], x), fabs(x) < a * c ? 0 : behind, 0, TIGHT * fabs(u));
             double full = pair.mu * tr_patch_p(&pair, P, x), tau = tr_cattaneo_tau(&pair, P, qs[k], x);
             assert_true(way * tau <= full * (1 + 1e-15));
             if (fabs(x) >= a * c) assert_close(tau, way * full, 1e-14, 0);

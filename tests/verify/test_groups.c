@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Every verification of the groups `precision` (in brief) and `stability` is a test by its name: one that is red cannot pass. Those of
- * the group `exact` are run by tests/system/test_verify.sh. References and tolerances are in src/verify/. */
+/* Every verification of the groups `precision` (in brief) and `stability` is a test by its name: one that is red
+ * cannot pass. Those of the group `exact` are run by tests/system/test_verify.sh. References and tolerances are in
+ * src/verify/. */
 #include "assert_close.h"
 #include "verify/verify.h"
 #include <string.h>

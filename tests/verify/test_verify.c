@@ -162,8 +162,8 @@ static void test_sweep_in_brief(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rows), cmocka_unit_test(test_outcomes), cmocka_unit_test(test_many),
-        cmocka_unit_test(test_stop), cmocka_unit_test(test_table),    cmocka_unit_test(test_registry),
+        cmocka_unit_test(test_rows),           cmocka_unit_test(test_outcomes), cmocka_unit_test(test_many),
+        cmocka_unit_test(test_stop),           cmocka_unit_test(test_table),    cmocka_unit_test(test_registry),
         cmocka_unit_test(test_sweep_in_brief),
     };
     return cmocka_run_group_tests_name("verify", tests, NULL, NULL);
