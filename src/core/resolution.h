@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* Whether places can carry the overlaps of a scene: kind `bodies`, before the run.
  *
- * An overlap is a small difference of places, and neighbouring doubles are 2^-52 of a place apart: at 1e5 m 1.5e-11 m, a
- * thousandth of the overlap of disks of 1 um that meet with 0.2 m/s. Places count as far as the run may lead, by
- * velocities and by gravity along walls. The overlap to expect of a pair is the largest of that at the start, that under
- * the weight of one, and that of a blow with the relative velocity; where none of these is known, TR_EXPECTED_OVERLAP of
- * the smaller radius. Pairs too far apart to meet do not count.
+ * An overlap is a small difference of places, and neighbouring doubles are 2^-52 of a place apart: at 1e5 m 1.5e-11 m,
+ * a thousandth of the overlap of disks of 1 um that meet with 0.2 m/s. Places count as far as the run may lead, by
+ * velocities and by gravity along walls. The overlap to expect of a pair is the largest of that at the start, that
+ * under the weight of one, and that of a blow with the relative velocity; where none of these is known,
+ * TR_EXPECTED_OVERLAP of the smaller radius. Pairs too far apart to meet do not count.
  *
  * A velocity has the same limit: what it moves a body in a step is rounded to these places, each time alike. */
 #ifndef TR_RESOLUTION_H

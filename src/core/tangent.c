@@ -106,7 +106,8 @@ static bool is_tangent(const tr_bodies *b, const pair *p, double *weight) {
     if (*weight > 0) {
         const tr_slot *normal = &w->group[p->a < 0].slot[TR_NORMAL];
         double needs = normal->law->overlap(normal->par, p->R1, p->R2, *weight);
-        return fabs(p->gap) < LITTLE * needs || (p->gap >= 0 && p->gap < ROUNDED * R);
+        return p->gap > -LITTLE * needs &&
+               p->gap < fmax(needs, ROUNDED * R); /* to fall from no higher than that is not meant */
     }
     bool held = !is_free(w, p->a) && !is_free(w, p->b), turned = may_turn(w, p->a) || may_turn(w, p->b);
     return p->gap > -ROUNDED * R && (across != 0 || spin[0] != 0 || spin[1] != 0 || (held && turned));
