@@ -6,19 +6,22 @@
 #include <math.h>
 #include <string.h>
 
-/* What a contact remembers of the step before, one block for each law that is there; the last only where a rolling law has
- * a force. */
-enum { F_D, E_NORMAL, N_NORMAL };
-enum { F_T, E_FRICTION, N_FRICTION };
-enum { M1, M2, E_ROLLING, F_R, N_ROLLING };
+/* What a contact remembers of the step before, one block for each law that is there. Of a rolling law more where
+ * it also has a force, or where its two moments are not opposite. */
+enum { F_D, DELTA, N_NORMAL };
+enum { FORCE, STORED, N_SPRING }; /* of friction Q, of rolling the moment on 2 */
+
+static int more_of_rolling(const tr_law *law) {
+    return !!(law->needs & TR_GIVES_F_R) + !(law->claims & TR_BALANCED);
+}
 
 /* Where the block of a slot begins; of TR_N_SLOTS: where all of them end. */
 static int block(const tr_group *g, int slot) {
     const tr_law *rolling = g->slot[TR_ROLLING].law;
     int at = g->ledger_sink.hist;
     if (slot > TR_NORMAL) at += N_NORMAL;
-    if (slot > TR_FRICTION && g->slot[TR_FRICTION].law->step) at += N_FRICTION;
-    if (slot > TR_ROLLING && rolling->step) at += rolling->needs & TR_GIVES_F_R ? N_ROLLING : F_R;
+    if (slot > TR_FRICTION && g->slot[TR_FRICTION].law->step) at += N_SPRING;
+    if (slot > TR_ROLLING && rolling->step) at += N_SPRING + more_of_rolling(rolling);
     return at;
 }
 
@@ -27,85 +30,123 @@ static inline double cut(double value, double bound) {
     return value < -bound ? -bound : value;
 }
 
-/* Books what the contacts of a tile lost: the sum, and that of what is below zero apart. Eight partial sums, so that adding up
- * is not a chain of waits; always the same eight. */
-TR_VECTOR static void book(int n, const double *restrict lost, double *restrict net, double *restrict made) {
-    double part[8] = {0}, below[8] = {0};
-    int i = 0;
-    for (; i + 8 <= n; i += 8)
-        for (int k = 0; k < 8; k++) part[k] += lost[i + k], below[k] += lost[i + k] < 0 ? lost[i + k] : 0;
-    for (; i < n; i++) part[i & 7] += lost[i], below[i & 7] += lost[i] < 0 ? lost[i] : 0;
-    *net += ((part[0] + part[1]) + (part[2] + part[3])) + ((part[4] + part[5]) + (part[6] + part[7]));
-    *made -= ((below[0] + below[1]) + (below[2] + below[3])) + ((below[4] + below[5]) + (below[6] + below[7]));
+typedef int64_t quad_mask __attribute__((vector_size(32)));
+
+/* Books what the contacts of a tile lost: the sum, and that of what is below zero apart. Eight partial sums, so
+ * that adding up is not a chain of waits; always the same eight. As vectors: of plain sums gcc makes
+ * permutations. */
+TR_VECTOR static void book(int n, tr_lane lost, double *net, double *made) {
+    for (int i = n; i % 8; i++) lost[i] = 0; /* behind the last contact */
+    const tr_quad *x = (const tr_quad *)lost;
+    tr_quad part[2] = {{0}}, below[2] = {{0}};
+    for (int i = 0; i < (n + 7) / 8; i++)
+        for (int k = 0; k < 2; k++) {
+            tr_quad one = x[2 * i + k];
+            part[k] += one;
+            below[k] += (tr_quad)((quad_mask)(one < 0) & (quad_mask)one);
+        }
+    tr_quad p = part[0] + part[1], q = below[0] + below[1];
+    *net += (p[0] + p[1]) + (p[2] + p[3]);
+    *made -= (q[0] + q[1]) + (q[2] + q[3]);
 }
 
-/* Adds the work done on contacts over the step: mean of the force before, cut to the bound, and now, times velocity. */
-TR_VECTOR static void add_work(int n, double dt, const double *restrict force, const double *restrict velocity,
-                               const double *restrict bound, double *restrict before, double *restrict lost) {
+/* The work done on a contact over the step: mean of the force before, cut to the bound, and now, times velocity. */
+static inline double work(double before, double now, double bound, double velocity, double dt) {
+    return 0.5 * (cut(before, bound) + now) * velocity * dt;
+}
+
+/* Where nothing is stored. */
+TR_VECTOR static void account_work(int n, double dt, const double *restrict force, const double *restrict velocity,
+                                   const double *restrict bound, double *restrict before, double *restrict lost) {
     for (int i = 0; i < n; i++) {
-        lost[i] += 0.5 * (cut(before[i], bound[i]) + force[i]) * velocity[i] * dt;
+        lost[i] = work(before[i], force[i], bound[i], velocity[i], dt);
         before[i] = force[i];
     }
 }
 
-/* What went into the store is not lost. */
-TR_VECTOR static void take_store(int n, const double *restrict energy, double *restrict before, double *restrict lost) {
+/* A spring: what went into the store is not lost. */
+TR_VECTOR static void account_spring(int n, double dt, const double *restrict force, const double *restrict velocity,
+                                     const double *restrict bound, const double *restrict energy,
+                                     double *restrict before, double *restrict stored, double *restrict lost) {
     for (int i = 0; i < n; i++) {
-        lost[i] -= energy[i] - before[i];
-        before[i] = energy[i];
+        lost[i] = work(before[i], force[i], bound[i], velocity[i], dt) - (energy[i] - stored[i]);
+        before[i] = force[i], stored[i] = energy[i];
     }
+}
+
+TR_VECTOR static void account_dashpot(const tr_tile *restrict tile, double *restrict before, double *restrict delta,
+                                      double *restrict lost) {
+    const double dt = tile->dt;
+    for (int i = 0; i < tile->n; i++) {
+        double now = tile->f_n[i] - tile->f_elastic[i], first = before[i] * tile->v_n[i];
+        lost[i] = 0.5 * ((first > 0 ? first : 0) + now * tile->v_n[i]) * dt;
+        before[i] = now, delta[i] = tile->delta[i];
+    }
+}
+
+/* A force along t, as a couple f_r L turned by Vs/L: the arms, L in sum, are not those of the step before. What
+ * that step left is cut by as much as its moments. */
+TR_VECTOR static void account_couple(const tr_tile *restrict tile, const double *restrict moment,
+                                     const double *restrict bound, double *restrict before, double *restrict lost) {
+    const double dt = tile->dt;
+    for (int i = 0; i < tile->n; i++) {
+        double L = tile->r1[i] + tile->r2[i], couple = tile->f_r[i] * L, share = bound[i] / fabs(moment[i]);
+        double first = share < 1 ? before[i] * share : before[i];
+        lost[i] = 0.5 * (first + couple) * (tile->v_s[i] / L) * dt;
+        before[i] = couple;
+    }
+}
+
+TR_VECTOR static void add(int n, const double *restrict more, double *restrict lost) {
+    for (int i = 0; i < n; i++) lost[i] += more[i];
+}
+
+TR_VECTOR static void find_spin(const tr_tile *restrict tile, double share_of_1, double *restrict spin) {
+    for (int i = 0; i < tile->n; i++) spin[i] = share_of_1 * tile->w1[i] - tile->w2[i];
+}
+
+/* Opposite moments turn 2 against 1, others each its own body. */
+static void account_rolling(tr_group *g, const tr_tile *tile, const double *energy, const double *bound, double *lost) {
+    const tr_law *law = g->slot[TR_ROLLING].law;
+    double **h = g->hist + block(g, TR_ROLLING), **more = h + N_SPRING, dt = tile->dt;
+    bool force = law->needs & TR_GIVES_F_R, opposite = law->claims & TR_BALANCED;
+    int n = tile->n, first = tile->first;
+    tr_lane spin, couple, of_1;
+    if (force) account_couple(tile, h[FORCE] + first, bound, *more++ + first, couple);
+    find_spin(tile, opposite ? 1 : 0, spin);
+    account_spring(n, dt, tile->m2, spin, bound, energy, h[FORCE] + first, h[STORED] + first, lost);
+    if (force) add(n, couple, lost);
+    if (opposite) return;
+    for (int i = 0; i < n; i++) spin[i] = -tile->w1[i];
+    account_work(n, dt, tile->m1, spin, bound, *more + first, of_1);
+    add(n, of_1, lost);
 }
 
 /* Why friction is never below zero. Let q = Q before, s = cut(q), c = the bound, du = Vs dt, sliding with Q = +c, so
  * k du >= c - q. Work - store = ½(s + c) du - (c² - q²)/2k >= [(s + c)(c - q) - (c - q)(c + q)]/2k = (c - q)(s - q)/2k.
  * For |q| <= c s = q: zero. For q > c, s = c: (c - q)²/2k. For q < -c, s = -c: (c - q)(-c - q)/2k > 0. Sticking: (Q -
  * q)(s - q)/2k, same cases. */
-TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict data) {
+static void step(tr_tile *restrict tile, const tr_law_data *restrict data) {
     const tr_sink *sink = data->par;
     tr_group *g = sink->group;
     tr_ledger *ledger = sink->ledger;
-    const tr_slot *normal = &g->slot[TR_NORMAL], *friction = &g->slot[TR_FRICTION], *rolling = &g->slot[TR_ROLLING];
-    double **h = g->hist + block(g, TR_NORMAL), *f_d = h[F_D] + tile->first, dt = tile->dt;
+    const tr_slot *friction = &g->slot[TR_FRICTION], *rolling = &g->slot[TR_ROLLING];
+    double **h = g->hist + block(g, TR_NORMAL);
     int n = tile->n, first = tile->first;
-    tr_lane energy, bound, lost, spin;
-    tr_law_data law = tr_group_data(g, normal);
-    normal->law->state(tile, &law, h[E_NORMAL] + first, bound);
-    for (int i = 0; i < n; i++) {
-        double now = tile->f_n[i] - tile->f_elastic[i], before = f_d[i] * tile->v_n[i];
-        lost[i] = 0.5 * ((before > 0 ? before : 0) + now * tile->v_n[i]) * dt;
-        f_d[i] = now;
-    }
+    tr_lane energy, bound, lost;
+    account_dashpot(tile, h[F_D] + first, h[DELTA] + first, lost);
     book(n, lost, &ledger->damped, &ledger->made[TR_NORMAL]);
     if (friction->law->step) {
+        tr_law_data law = tr_group_data(g, friction);
         h = g->hist + block(g, TR_FRICTION);
-        law = tr_group_data(g, friction);
         friction->law->state(tile, &law, energy, bound);
-        memset(lost, 0, sizeof lost);
-        add_work(n, dt, tile->f_t, tile->v_s, bound, h[F_T] + first, lost);
-        take_store(n, energy, h[E_FRICTION] + first, lost);
+        account_spring(n, tile->dt, tile->f_t, tile->v_s, bound, energy, h[FORCE] + first, h[STORED] + first, lost);
         book(n, lost, &ledger->friction, &ledger->made[TR_FRICTION]);
     }
     if (rolling->law->step) {
-        h = g->hist + block(g, TR_ROLLING);
-        law = tr_group_data(g, rolling);
+        tr_law_data law = tr_group_data(g, rolling);
         rolling->law->state(tile, &law, energy, bound);
-        memset(lost, 0, sizeof lost);
-        if (rolling->law->needs & TR_GIVES_F_R) {
-            /* As a couple f_r L turned by Vs/L: the arms, L in sum, are not those of the step before. What that step
-             * left is cut by as much as its moments. */
-            tr_lane couple, no_bound;
-            for (int i = 0; i < n; i++) {
-                double L = tile->r1[i] + tile->r2[i], cut_by = bound[i] / fabs(h[M2][first + i]);
-                couple[i] = tile->f_r[i] * L, spin[i] = tile->v_s[i] / L, no_bound[i] = INFINITY;
-                if (cut_by < 1) h[F_R][first + i] *= cut_by;
-            }
-            add_work(n, dt, couple, spin, no_bound, h[F_R] + first, lost);
-        }
-        for (int i = 0; i < n; i++) spin[i] = -tile->w1[i];
-        add_work(n, dt, tile->m1, spin, bound, h[M1] + first, lost);
-        for (int i = 0; i < n; i++) spin[i] = -tile->w2[i];
-        add_work(n, dt, tile->m2, spin, bound, h[M2] + first, lost);
-        take_store(n, energy, h[E_ROLLING] + first, lost);
+        account_rolling(g, tile, energy, bound, lost);
         book(n, lost, &ledger->rolling, &ledger->made[TR_ROLLING]);
     }
 }
@@ -143,11 +184,20 @@ void tr_ledger_walls(tr_world *world) {
     remember_walls(world);
 }
 
-/* Energy in the contacts of a group, in one slot. */
-static double stored(const tr_group *g, int slot, int which) {
+/* Energy in the contacts of a group: of the normal law from the overlaps, of the others in the spring of a slot. */
+static double in_overlaps(const tr_group *g) {
+    const tr_slot *normal = &g->slot[TR_NORMAL];
+    const double *delta = g->hist[block(g, TR_NORMAL) + DELTA];
+    double energy = 0;
+    for (int i = 0; i < g->n; i++)
+        if (delta[i] > 0) energy += normal->law->elastic(normal->par, g->pair[0][i], g->pair[1][i], delta[i]).energy;
+    return energy;
+}
+
+static double in_springs(const tr_group *g, int slot) {
     double energy = 0;
     if (!g->slot[slot].law->step) return 0;
-    for (int i = 0; i < g->n; i++) energy += g->hist[block(g, slot) + which][i];
+    for (int i = 0; i < g->n; i++) energy += g->hist[block(g, slot) + STORED][i];
     return energy;
 }
 
@@ -166,9 +216,9 @@ tr_energy tr_ledger_read(const tr_world *world) {
         }
     for (int k = 0; k < 2; k++) {
         const tr_group *g = &world->group[k];
-        e.elastic_normal += stored(g, TR_NORMAL, E_NORMAL);
-        e.elastic_friction += stored(g, TR_FRICTION, E_FRICTION);
-        e.elastic_rolling += stored(g, TR_ROLLING, E_ROLLING);
+        e.elastic_normal += in_overlaps(g);
+        e.elastic_friction += in_springs(g, TR_FRICTION);
+        e.elastic_rolling += in_springs(g, TR_ROLLING);
     }
     double now = e.kinetic + e.elastic_normal + e.elastic_friction + e.elastic_rolling;
     e.residual = ledger->start + ledger->work - now - (ledger->damped + ledger->friction + ledger->rolling);

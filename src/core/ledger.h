@@ -17,11 +17,12 @@
  * With Q before the cut, dissipation could fall below zero when a bound drops; cut, it never does for a spring-slider
  * driven by its conjugate velocity (algebra in ledger.c).
  *
- * MADE. A law whose forces are not conjugate to its velocity (wang-spring with bagi-kuhn or alonso-*), or whose stiffness
- * changes under it (star-displacement-damping), makes energy here and takes it there. Beside the net stands what each
- * mechanism made: the sum over contacts and steps of the negative parts of its dissipation, sign turned. It can be large where the
- * net is small. Rounding is negative half of the time, by 1e-16 of what is in the spring of a contact: over 1e5 steps 1e-11 of
- * what is in all springs. A law that stops a spin within the step (two of STAR's) makes what falls with the step.
+ * MADE. A law whose forces are not conjugate to its velocity (wang-spring with bagi-kuhn or alonso-*), or whose
+ * stiffness changes under it (star-displacement-damping), makes energy here and takes it there. Beside the net stands
+ * what each mechanism made: the sum over contacts and steps of the negative parts of its dissipation, sign turned. It
+ * can be large where the net is small. Rounding is negative half of the time, by 1e-16 of what is in the spring of a
+ * contact: over 1e5 steps 1e-11 of what is in all springs. A law that stops a spin within the step (two of STAR's)
+ * makes what falls with the step.
  *
  * The residual is what the time step loses; it falls with dt.
  */
@@ -34,8 +35,8 @@ typedef struct tr_energy {
     double kinetic, elastic_normal, elastic_friction, elastic_rolling; /* now [N] = J per metre of length */
     double damped, friction, rolling;                                  /* dissipated since the ledger began, net [N] */
     double made[TR_N_SLOTS]; /* by the normal, friction, rolling law since then, >= 0 [N] */
-    double work;                                                       /* of the walls on the disks since then [N] */
-    double residual;                                                   /* [N] */
+    double work;             /* of the walls on the disks since then [N] */
+    double residual;         /* [N] */
 } tr_energy;
 
 void tr_ledger_attach(tr_group *group, tr_ledger *ledger);

@@ -90,11 +90,13 @@ static void step(tr_tile *tile, const tr_law_data *data) {
     (p->step ? exact : backward_euler)(tile, p, data->hist[0] + tile->first);
 }
 
-static void state(const tr_tile *tile, const tr_law_data *data, double *energy, double *bound) {
+TR_VECTOR static void state(const tr_tile *restrict tile, const tr_law_data *restrict data, double *restrict energy,
+                            double *restrict bound) {
     const par *p = data->par;
+    const double half_per_k = 0.5 / p->k_t, mu = p->mu;
     for (int i = 0; i < tile->n; i++) {
-        energy[i] = tile->f_t[i] * tile->f_t[i] / (2 * p->k_t);
-        bound[i] = p->mu * tile->f_n[i];
+        energy[i] = tile->f_t[i] * tile->f_t[i] * half_per_k;
+        bound[i] = mu * tile->f_n[i];
     }
 }
 

@@ -135,7 +135,7 @@ typedef enum tr_needs {
 typedef enum tr_claims {
     TR_RATE_INDEPENDENT = 1, /* the path counts, not the speed along it */
     TR_OBJECTIVE = 2,        /* the same for an observer who moves or turns; nothing in a rigid rotation */
-    TR_BALANCED = 4,         /* changes neither momentum nor angular momentum of the two bodies together */
+    TR_BALANCED = 4,         /* changes neither momentum nor angular momentum of the two bodies together; m1 = -m2 */
     TR_ENERGY_CLOSED = 8,    /* no closed cycle gains energy from it, at constant or changing normal force */
 } tr_claims;
 

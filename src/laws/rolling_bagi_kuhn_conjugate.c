@@ -59,12 +59,13 @@ TR_VECTOR void tr_resultant_rolling_force(tr_tile *restrict tile, const tr_law_d
     }
 }
 
-static void state(const tr_tile *tile, const tr_law_data *data, double *energy, double *bound) {
+TR_VECTOR static void state(const tr_tile *restrict tile, const tr_law_data *restrict data, double *restrict energy,
+                            double *restrict bound) {
     const par *p = data->par;
+    const double *restrict T = data->hist[0] + tile->first, half_per_k = 0.5 / p->k_r, mu_r = p->mu_r;
     for (int i = 0; i < tile->n; i++) {
-        double T = data->hist[0][tile->first + i];
-        energy[i] = T * T / (2 * p->k_r);
-        bound[i] = p->mu_r * tile->f_n[i] * (tile->g1[i] * tile->R2[i]);
+        energy[i] = T[i] * T[i] * half_per_k;
+        bound[i] = mu_r * tile->f_n[i] * (tile->g1[i] * tile->R2[i]);
     }
 }
 

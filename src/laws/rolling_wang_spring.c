@@ -41,10 +41,10 @@ TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict d
 TR_VECTOR static void state(const tr_tile *restrict tile, const tr_law_data *restrict data, double *restrict energy,
                             double *restrict bound) {
     const par *p = data->par;
+    const double *restrict T = data->hist[0] + tile->first, half_per_k = 0.5 / p->k_r, mu_r = p->mu_r;
     for (int i = 0; i < tile->n; i++) {
-        double T = data->hist[0][tile->first + i];
-        energy[i] = T * T / (2 * p->k_r);
-        bound[i] = p->mu_r * tile->f_n[i] * tile->g1[i] * tile->R2[i];
+        energy[i] = T[i] * T[i] * half_per_k;
+        bound[i] = mu_r * tile->f_n[i] * tile->g1[i] * tile->R2[i];
     }
 }
 

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* Energy that a contact law makes, as the ledger books it: what contacts lost below zero, apart from the net.
  *
- * References: closed forms of two disks that are led along paths on which the spring of rolling ends as it began. With x = T/k_r
- * a step takes k_r (x dW - x dx), where dW is how far the moments' own velocity, R_eff (w1 - w2), has gone, and dx how far
- * V_r has. wang: dW = dx, nothing. On a straight path dW = c dx it loses k_r (c - 1) (x1^2 - x0^2)/2: below zero, and so made,
- * where c < 1 and the spring is loaded, or c > 1 and it gives back. */
+ * References: closed forms of two disks that are led along paths on which the spring of rolling ends as it began.
+ * With x = T/k_r a step takes k_r (x dW - x dx), where dW is how far the moments' own velocity, R_eff (w1 - w2), has
+ * gone, and dx how far V_r has. wang: dW = dx, nothing. On a straight path dW = c dx it loses
+ * k_r (c - 1) (x1^2 - x0^2)/2: below zero, and so made, where c < 1 and the spring is loaded, or c > 1 and it gives
+ * back.
+ */
 #include "core/checkpoint.h"
 #include "core/ledger.h"
 #include "core/worlds.h"
@@ -60,8 +62,9 @@ static double below(double lost) {
     return lost < 0 ? -lost : 0;
 }
 
-/* x is (R1 - R2)/(2L) of the slide and R1/2 of the turn; W is R_eff of the turn alone. The pair turns by u/L = 1e-4 as it slides:
- * the sines and the length are out by 1e-8, the radii's shares in the arms by overlap/L = 1e-4. */
+/* x is (R1 - R2)/(2L) of the slide and R1/2 of the turn; W is R_eff of the turn alone. The pair turns by u/L =
+ * 1e-4 as it slides: the sines and the length are out by 1e-8, the radii's shares in the arms by overlap/L =
+ * 1e-4. */
 static void bagi_kuhn_makes_energy_in_a_cycle(void **state) {
     (void)state;
     static const double R2[] = {0.002, 0.005, 0.02, 0.1};
@@ -95,8 +98,9 @@ static void bagi_kuhn_makes_energy_in_a_cycle(void **state) {
         }
 }
 
-/* Both rims run by s loads the spring by s and W by s. The second leg has the rims run by -s' and -m s', with s' such that V_r goes
- * back by s. alonso-min: s' = s; alonso-mean: s' = 2 s/(1 + m). On the way W goes back by s' (R2 + m R1)/(R1 + R2). */
+/* Both rims run by s loads the spring by s and W by s. The second leg has the rims run by -s' and -m s', with s'
+ * such that V_r goes back by s. alonso-min: s' = s; alonso-mean: s' = 2 s/(1 + m). On the way W goes back by s'
+ * (R2 + m R1)/(R1 + R2). */
 static void alonso_makes(const char *velocity, double share) {
     double R1 = 0.02, R2 = 0.01, m = 3, s = turn * R1, back = share * s;
     pair p;
@@ -133,8 +137,8 @@ static void alonso_mean_makes_energy_and_the_ledger_says_how_much(void **state) 
     alonso_makes("alonso-mean", 0.5);
 }
 
-/* Wang's moments fit its velocity, and so does the force of bagi-kuhn-conjugate: along the same paths nothing is made. Rounding: of
- * 200 steps, each of the energy in the spring. */
+/* Wang's moments fit its velocity, and so does the force of bagi-kuhn-conjugate: along the same paths nothing is
+ * made. Rounding: of 200 steps, each of the energy in the spring. */
 static void laws_with_fitting_forces_make_none(void **state) {
     (void)state;
     static const char *const rolling[] = {NULL, "bagi-kuhn-conjugate"};
@@ -152,8 +156,8 @@ static void laws_with_fitting_forces_make_none(void **state) {
         }
 }
 
-/* Friction that sticks and slides while the normal force rises and falls, in closed loops. A lower bound lets go of what is in the
- * spring: that is lost. A higher one gives nothing back. */
+/* Friction that sticks and slides while the normal force rises and falls, in closed loops. A lower bound lets go
+ * of what is in the spring: that is lost. A higher one gives nothing back. */
 static void friction_makes_none_while_the_normal_force_changes(void **state) {
     (void)state;
     tr_world w;
@@ -177,9 +181,9 @@ static void friction_makes_none_while_the_normal_force_changes(void **state) {
     tr_world_free(&w);
 }
 
-/* STAR's force-proportional law brakes each spin against the room: a pair that turns as one body by an angle loses mu_r f_n (r1 + r2)
- * angle, though nothing moves in the contact. To the ledger, which stands in the room, it makes nothing; an observer who turns
- * with the pair sees moments, and no work. */
+/* STAR's force-proportional law brakes each spin against the room: a pair that turns as one body by an angle
+ * loses mu_r f_n (r1 + r2) angle, though nothing moves in the contact. To the ledger, which stands in the room,
+ * it makes nothing; an observer who turns with the pair sees moments, and no work. */
 static void a_rigid_turn_costs_star_force_proportional_and_makes_nothing(void **state) {
     (void)state;
     const tr_param_catalog *catalog = tr_laws_catalog();
@@ -205,8 +209,8 @@ static void a_rigid_turn_costs_star_force_proportional_and_makes_nothing(void **
         net += mu_r * k_n * delta * (2 * R - delta) * spin * w.dt;
     }
     tr_energy e = tr_ledger_read(&w);
-    /* explicit steps along the circle let L grow by (spin dt)^2/2 = 4.5e-10 a step, of which 2e3 make a share of the overlap; the first
-     * step has half the moment of none before: both below 1e-3 */
+    /* explicit steps along the circle let L grow by (spin dt)^2/2 = 4.5e-10 a step, of which 2e3 make a share of
+     * the overlap; the first step has half the moment of none before: both below 1e-3 */
     assert_close(e.rolling, net, 1e-3, 0);
     assert_true(e.made[TR_ROLLING] == 0);
     tr_world_free(&w);
@@ -246,8 +250,8 @@ static void alonso_min_makes_more_than_the_work_of_the_walls(void **state) {
     assert_close(e.made[TR_FRICTION], 0, 0, 1e-9 * e.work);
 }
 
-/* Rounding: each step of each contact errs by 1e-16 of what is in its spring; steps times contacts are some 1e7, and what is in
- * all springs is below the work. */
+/* Rounding: each step of each contact errs by 1e-16 of what is in its spring; steps times contacts are some 1e7,
+ * and what is in all springs is below the work. */
 static void wang_makes_none(void **state) {
     (void)state;
     tr_energy e = sheared(sand);

@@ -42,9 +42,9 @@ check 'the same packing: touching contacts within 5 %' awk -F, '
     FNR == NR {if ($2 == "+ energy ledger") full = $8; next}
     FNR > 1 && ($8 > 1.05*full || $8 < 0.95*full) {print; bad = 1}
     END {exit bad}' "$work/features.csv" "$work/features.csv"
-# Smooth walls: Q, T of the disks; the ledger's 7 of them and 2 of the walls.
+# Smooth walls: Q, T of the disks; the ledger's 6 of them and 2 of the walls.
 arrays() { column 10 "$1"; }
-check 'history arrays' equals "$(arrays 'linear alone') $(arrays '+ coulomb-spring') $(arrays '+ wang-spring') $(arrays '+ energy ledger')" '0 1 2 11'
+check 'history arrays' equals "$(arrays 'linear alone') $(arrays '+ coulomb-spring') $(arrays '+ wang-spring') $(arrays '+ energy ledger')" '0 1 2 10'
 check 'what is there takes memory' sh -c "test \"\$1\" -lt \"\$2\" && test \"\$2\" -lt \"\$3\"" - \
     "$(column 9 'linear alone' | cut -d. -f1)" "$(column 9 '+ wang-spring' | cut -d. -f1)" "$(column 9 '+ energy ledger' | cut -d. -f1)"
 check 'the full scene is the whole' equals "$(column 6 '+ energy ledger')" 1
