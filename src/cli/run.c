@@ -161,7 +161,7 @@ static int run(const arguments *a) {
         if (ok) print_report(&report, options.dir);
         if (ok && report.failed)
             tr_status_fail(&st, TR_CHECK_FAILED, "error: %d of the checks of %s failed", report.failed, a->file);
-    } else if (tr_run_check(&scene, &report, &st)) {
+    } else if (tr_run_check(&scene, &report, NULL, &st)) {
         print_warnings(&report);
         printf("%s: ok\n", a->file);
     }

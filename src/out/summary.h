@@ -72,4 +72,12 @@ char *tr_summary_patch(const tr_scene *scene, int64_t steps, const tr_patch_resu
 /* A number of a summary.json by its key, or the way to it: "checks.0.measured". NaN where it says null. There is none: TR_BAD_CASE. */
 bool tr_summary_read(const char *path, const char *name, double *value, tr_status *st);
 
+/* Which version of the program wrote it. false: there is no summary.json, or it is not whole. */
+enum { TR_SUMMARY_VERSION = 32 };
+bool tr_summary_version(const char *path, char version[TR_SUMMARY_VERSION]);
+
+/* Names all numbers in the text of a summary, as tr_summary_read takes them. */
+enum { TR_SUMMARY_NAME = 128 };
+void tr_summary_numbers(const char *text, void (*take)(void *context, const char *name), void *context);
+
 #endif

@@ -7,16 +7,26 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const json_t *item(const json_t *array, const char *key) {
+    bool number = *key && strspn(key, "0123456789") == strlen(key);
+    return number ? json_array_get(array, strtoul(key, NULL, 10)) : NULL;
+}
+
 /* "checks.0.measured": keys of objects, numbers of items. */
 static const json_t *find(const json_t *at, const char *name) {
     char key[64];
-    while (at && *name) {
+    for (;;) {
         size_t n = strcspn(name, ".");
-        snprintf(key, sizeof key, "%.*s", (int)n, name);
-        at = json_is_array(at) ? json_array_get(at, (size_t)atoi(key)) : json_object_get(at, key);
-        name += n + (name[n] == '.');
+        if (n >= sizeof key) return NULL;
+        memcpy(key, name, n), key[n] = '\0';
+        at = json_is_array(at) ? item(at, key) : json_object_get(at, key);
+        if (!at || !name[n]) return at;
+        name += n + 1;
     }
-    return at;
+}
+
+static bool is_number(const json_t *value) {
+    return json_is_number(value) || json_is_null(value);
 }
 
 bool tr_summary_read(const char *path, const char *name, double *value, tr_status *st) {
@@ -24,8 +34,44 @@ bool tr_summary_read(const char *path, const char *name, double *value, tr_statu
     json_t *o = json_load_file(path, 0, &error);
     if (!o) return tr_status_fail(st, TR_FILE, "error: cannot read %.300s: %s", path, error.text);
     const json_t *number = find(o, name);
-    bool ok = json_is_number(number) || json_is_null(number);
+    bool ok = is_number(number);
     *value = json_is_number(number) ? json_number_value(number) : NAN;
     json_decref(o);
     return ok || tr_status_fail(st, TR_BAD_CASE, "error: %.300s has no number `%.60s`", path, name);
+}
+
+bool tr_summary_version(const char *path, char version[TR_SUMMARY_VERSION]) {
+    json_t *o = json_load_file(path, 0, NULL);
+    const char *text = json_string_value(json_object_get(o, "version"));
+    if (text) snprintf(version, TR_SUMMARY_VERSION, "%s", text);
+    json_decref(o);
+    return text != NULL;
+}
+
+typedef struct listing {
+    void (*take)(void *context, const char *name);
+    void *context;
+} listing;
+
+/* name has room for one key more, at `used`. */
+static void list(const listing *l, json_t *at, char name[TR_SUMMARY_NAME], size_t used) {
+    const char *key;
+    json_t *value;
+    size_t i;
+    if (is_number(at)) l->take(l->context, name);
+    json_object_foreach(at, key, value) {
+        snprintf(name + used, TR_SUMMARY_NAME - used, "%s%s", used ? "." : "", key);
+        list(l, value, name, strlen(name));
+    }
+    json_array_foreach(at, i, value) {
+        snprintf(name + used, TR_SUMMARY_NAME - used, ".%zu", i);
+        list(l, value, name, strlen(name));
+    }
+}
+
+void tr_summary_numbers(const char *text, void (*take)(void *context, const char *name), void *context) {
+    char name[TR_SUMMARY_NAME] = "";
+    json_t *o = json_loads(text, 0, NULL);
+    list(&(listing){take, context}, o, name, 0);
+    json_decref(o);
 }

@@ -28,7 +28,9 @@ static bool holds(const char *dir, const char *name, const char *text, tr_status
 /* A run that is to go on has reached its end already. One of another case is refused. */
 static bool finished(const tr_scene *scene, const tr_run_options *options, tr_status *st) {
     char path[TR_PATH];
-    if (!options->resume || !tr_dir_path(path, options->dir, "summary.json", st) || access(path, F_OK)) return false;
+    char version[TR_SUMMARY_VERSION];
+    if (!options->resume || !tr_dir_path(path, options->dir, "summary.json", st)) return false;
+    if (!tr_summary_version(path, version)) return false;
     char *resolved = tr_scene_write(scene, tr_laws_catalog(), st);
     bool same = resolved && holds(options->dir, "case.yaml", resolved, st);
     free(resolved);
@@ -56,7 +58,7 @@ static bool run(const tr_scene *scene, const tr_run_options *options, tr_run_rep
     return false;
 }
 
-static bool check(const tr_scene *scene, tr_run_report *report, tr_status *st) {
+static char *check(const tr_scene *scene, tr_run_report *report, tr_status *st) {
     switch (scene->kind) {
     case TR_KIND_BIAXIAL:
         return tr_run_check_biaxial(scene, report, st);
@@ -66,19 +68,24 @@ static bool check(const tr_scene *scene, tr_run_report *report, tr_status *st) {
     case TR_KIND_PATCH:
         return tr_run_check_path(scene, st);
     }
-    return false;
+    return NULL;
 }
 
-bool tr_run_check(const tr_scene *scene, tr_run_report *report, tr_status *st) {
+bool tr_run_check(const tr_scene *scene, tr_run_report *report, char **summary, tr_status *st) {
     *report = (tr_run_report){0};
-    bool ok = check(scene, report, st);
+    char *text = check(scene, report, st);
     report->n_warnings = report->n_notes;
+    bool ok = text;
+    if (summary)
+        *summary = text;
+    else
+        free(text);
     return ok;
 }
 
 bool tr_run(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st) {
     int lock = -1;
-    bool ok = tr_run_check(scene, report, st);
+    bool ok = tr_run_check(scene, report, NULL, st);
     if (ok && options->foretold) options->foretold(report);
     ok = ok && tr_dir_lock(options->dir, &lock, st) && run(scene, options, report, st);
     if (lock >= 0) close(lock);

@@ -34,9 +34,10 @@ struct tr_run_report {
     char note[8 + 3 * TR_MAX_LANES][400]; /* 3: warnings of a scene */
 };
 
-/* Finds what reading a case cannot: a step above the bound, a sample without room, bodies that overlap too much. *report gets notes of
- * what may not be meant (n_warnings). */
-bool tr_run_check(const tr_scene *scene, tr_run_report *report, tr_status *st);
+/* Finds what reading a case cannot: a step above the bound, bodies that overlap too much. *report gets notes of what may not be
+ * meant (n_warnings). summary: if it is not NULL, the text of the summary.json that a run of this case leaves, with its names and
+ * without its numbers (free()). */
+bool tr_run_check(const tr_scene *scene, tr_run_report *report, char **summary, tr_status *st);
 
 /* Runs the case. What tr_run_check finds is found before the directory is touched. Stopped: TR_INTERRUPTED, numerical
  * failure: TR_NUMERICAL, a file that cannot be written: TR_FILE; each keeps the rows, frames and film up to then and

@@ -383,13 +383,18 @@ static bool summarise(test *t, double started, double updates_per_s, tr_status *
     return ok;
 }
 
-bool tr_run_check_biaxial(const tr_scene *scene, tr_run_report *report, tr_status *st) {
+char *tr_run_check_biaxial(const tr_scene *scene, tr_run_report *report, tr_status *st) {
+    const tr_energy energy = {0};
     tr_biaxial *b = tr_alloc(1, sizeof *b, st);
-    bool ok = b && tr_biaxial_init(b, scene, st);
-    if (ok) tr_warn_biaxial(b, report);
-    if (ok) tr_biaxial_free(b);
+    char *summary = NULL;
+    if (b && tr_biaxial_init(b, scene, st)) {
+        tr_warn_biaxial(b, report);
+        summary = tr_summary_biaxial(scene, b, 0, 0, &(tr_strength){0}, 0, scene->output.energy ? &energy : NULL,
+                                     &(tr_timing){0}, st);
+        tr_biaxial_free(b);
+    }
     free(b);
-    return ok;
+    return summary;
 }
 
 bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st) {

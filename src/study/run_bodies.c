@@ -210,18 +210,27 @@ static void report_bodies(show *s, const tr_timing *timing) {
     tr_run_say(r, "wall time", "%.1f s", timing->wall_s);
 }
 
-bool tr_run_check_bodies(const tr_scene *scene, tr_run_report *report, tr_status *st) {
-    tr_bodies *b = tr_alloc(1, sizeof *b, st);
-    bool ok = b;
-    for (int i = 0; i <= scene->n_more && ok; i++) {
-        const tr_scene *each = i ? &scene->more[i - 1] : scene;
-        ok = tr_bodies_init(b, each, st);
-        if (!ok) break;
-        tr_warn_bodies(b, scene->n_more ? each->label : "", report);
-        tr_bodies_free(b);
+char *tr_run_check_bodies(const tr_scene *scene, tr_run_report *report, tr_status *st) {
+    int n = 1 + scene->n_more, open = 0, results = 0;
+    tr_bodies *b = tr_alloc((size_t)n, sizeof *b, st);
+    const tr_bodies *each[TR_MAX_LANES];
+    tr_check_result result[TR_MAX_LANES * TR_MAX_CHECKS];
+    char *summary = NULL;
+    for (bool ok = b; ok && open < n; open += ok) {
+        const tr_scene *of = open ? &scene->more[open - 1] : scene;
+        tr_checks checks = {0};
+        each[open] = &b[open];
+        ok = tr_bodies_init(&b[open], of, st);
+        if (ok) tr_warn_bodies(&b[open], scene->n_more ? of->label : "", report);
+        if (!ok || !tr_checks_open(&checks, of, st)) continue;
+        tr_checks_results(&checks, &result[results]);
+        results += of->n_checks;
+        tr_checks_free(&checks);
     }
+    if (b && !st->code) summary = tr_summary_bodies(scene, each, result, results, &(tr_timing){0}, st);
+    while (open) tr_bodies_free(&b[--open]);
     free(b);
-    return ok;
+    return summary;
 }
 
 static bool summarise(show *s, const tr_timing *timing, tr_status *st) {

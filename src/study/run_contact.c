@@ -170,9 +170,13 @@ bool tr_run_contact(const tr_scene *scene, const tr_run_options *options, tr_run
     return ok;
 }
 
-bool tr_run_check_path(const tr_scene *scene, tr_status *st) {
+char *tr_run_check_path(const tr_scene *scene, tr_status *st) {
     tr_scene played;
-    if (!tr_run_with_path(scene, &played, st)) return false;
+    drive d = {.scene = scene};
+    const tr_patch_result patch = {.solver = ""};
+    if (!tr_run_with_path(scene, &played, st)) return NULL;
     tr_run_drop_path(&played);
-    return true;
+    if (scene->kind == TR_KIND_PATCH) return tr_summary_patch(scene, 0, &patch, &(tr_timing){0}, st);
+    name_laws(&d);
+    return tr_summary_contact(scene, 0, d.result, &(tr_timing){0}, st);
 }

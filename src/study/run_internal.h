@@ -17,7 +17,11 @@ bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run
 bool tr_run_bodies(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st);
 bool tr_run_contact(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st);
 bool tr_run_patch(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st);
-bool tr_run_check_path(const tr_scene *scene, tr_status *st); /* reads the path of a file */
+
+/* What tr_run_check finds: NULL, or else the summary to come. */
+char *tr_run_check_biaxial(const tr_scene *scene, tr_run_report *report, tr_status *st);
+char *tr_run_check_bodies(const tr_scene *scene, tr_run_report *report, tr_status *st);
+char *tr_run_check_path(const tr_scene *scene, tr_status *st); /* reads the path of a file */
 
 /* The scene with its path from the file, if it is in one. Free with tr_run_drop_path. */
 bool tr_run_with_path(const tr_scene *scene, tr_scene *played, tr_status *st);
@@ -25,8 +29,6 @@ void tr_run_drop_path(tr_scene *played);
 
 /* One row of contact.csv. */
 void tr_run_contact_row(tr_row *row, const tr_contact_state *s);
-bool tr_run_check_biaxial(const tr_scene *scene, tr_run_report *report, tr_status *st);
-bool tr_run_check_bodies(const tr_scene *scene, tr_run_report *report, tr_status *st);
 
 /* What stays the same in every frame of a biaxial test: one scale and one box for the whole film. */
 enum { TR_RUN_TITLE = 96 };

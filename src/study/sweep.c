@@ -4,8 +4,10 @@
 
 #include "base/alloc.h"
 #include "base/hash.h"
+#include "base/version.h"
 #include "laws/law.h"
 #include "out/dir.h"
+#include "out/summary.h"
 #include "study/run.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,6 +20,12 @@ int tr_grid_value(const tr_grid *g, int point, int axis) {
     int rest = point % g->combinations;
     for (int i = g->n_vary - 1; i > axis; i--) rest /= g->axis[i].n;
     return rest % g->axis[axis].n;
+}
+
+int tr_grid_with(const tr_grid *g, int combination, int axis, int value) {
+    int stride = 1;
+    for (int i = axis + 1; i < g->n_vary; i++) stride *= g->axis[i].n;
+    return combination + (value - tr_grid_value(g, combination, axis)) * stride;
 }
 
 /* "mu_r" of "contact.mu_r", if no other key that varies ends so. */
@@ -112,24 +120,86 @@ static bool holds(const char *dir, const char *text) {
     return same;
 }
 
+static bool has_numbers(const tr_grid *g, const char *summary) {
+    tr_status ignored = {0};
+    double value;
+    for (int k = 0; k < g->n_collect; k++)
+        if (!tr_summary_read(summary, g->collect[k], &value, &ignored)) return false;
+    return true;
+}
+
 bool tr_grid_state(const tr_grid *g, int point, const char *dir, tr_point_state *state, tr_status *st) {
     char name[TR_POINT_NAME], path[TR_PATH], summary[TR_PATH];
     tr_scene scene;
     tr_grid_name(g, point, name);
     if (!tr_dir_path(path, dir, name, st) || !tr_dir_path(summary, path, "summary.json", st)) return false;
     if (!tr_grid_scene(g, point, &scene, st)) return false;
-    char *text = tr_scene_write(&scene, tr_laws_catalog(), st);
-    bool whole = !access(summary, F_OK), same = text && holds(path, text);
-    *state = whole ? same ? TR_POINT_FINISHED : TR_POINT_OTHER : same ? TR_POINT_BEGUN : TR_POINT_MISSING;
+    char *text = tr_scene_write(&scene, tr_laws_catalog(), st), version[TR_SUMMARY_VERSION];
+    bool ended = !access(summary, F_OK), same = text && holds(path, text);
+    if (!ended)
+        *state = same ? TR_POINT_BEGUN : TR_POINT_MISSING;
+    else if (!same)
+        *state = TR_POINT_OTHER;
+    else if (!tr_summary_version(summary, version))
+        *state = TR_POINT_BROKEN;
+    else if (strcmp(version, TR_VERSION) != 0)
+        *state = TR_POINT_OLD;
+    else
+        *state = has_numbers(g, summary) ? TR_POINT_FINISHED : TR_POINT_LACKING;
     free(text);
+    tr_scene_free(&scene);
+    return !st->code;
+}
+
+/* What the summaries have, for the message about what they have not. */
+typedef struct names {
+    const char *wanted;
+    bool found;
+    tr_near near;
+    char kept[TR_SUMMARY_NAME], list[240]; /* of the nearest; the first ones */
+} names;
+
+static void take_name(void *context, const char *name) {
+    names *n = context;
+    size_t used = strlen(n->list);
+    const char *before = n->near.word;
+    n->found |= strcmp(name, n->wanted) == 0;
+    tr_text_nearer(&n->near, n->wanted, name);
+    if (n->near.word != before) snprintf(n->kept, sizeof n->kept, "%s", name), n->near.word = n->kept;
+    if (used && n->list[used - 1] == '.') return;
+    bool fits = used + strlen(name) + sizeof ", , ..." < sizeof n->list;
+    snprintf(n->list + used, sizeof n->list - used, "%s%s", used ? ", " : "", fits ? name : "...");
+}
+
+static bool check_collected(const tr_grid *g, int point, const char *summary, tr_status *st) {
+    char name[TR_POINT_NAME];
+    tr_grid_name(g, point, name);
+    for (int k = 0; k < g->n_collect; k++) {
+        names n = {.wanted = g->collect[k]};
+        tr_summary_numbers(summary, take_name, &n);
+        if (n.found) continue;
+        return tr_text_fail(st, g->collect_mark[k],
+                            "no number `%s` will be in the summary.json of point %d (%s)%s; collect of: %s",
+                            tr_text_show(g->collect[k]).text, point, tr_text_show(name).text,
+                            tr_text_hint(&n.near).text, n.list);
+    }
+    return true;
+}
+
+bool tr_grid_check(const tr_grid *g, int point, tr_status *st) {
+    tr_scene scene;
     tr_status inner = {0};
     tr_run_report notes; /* each point has them in its log */
-    bool first = point < g->combinations;
-    if (!st->code && first && *state != TR_POINT_FINISHED && !tr_run_check(&scene, &notes, &inner)) {
+    char *summary = NULL;
+    if (!tr_grid_scene(g, point, &scene, st)) return false;
+    if (tr_run_check(&scene, &notes, &summary, &inner)) {
+        check_collected(g, point, summary, st);
+    } else {
         char **sets = tr_grid_sets(g, point, st);
         if (sets) blame(g, point, sets, &inner, st);
         tr_grid_sets_free(g, sets);
     }
+    free(summary);
     tr_scene_free(&scene);
     return !st->code;
 }

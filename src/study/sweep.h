@@ -17,8 +17,9 @@
  * the other, and a sweep that is stopped half-way has whole comparisons of its first seeds.
  *
  * A point has a directory, called after its values, so that a value more in the file leaves the others where they are. It is
- * finished when it holds summary.json, which a run writes last, and case.yaml is byte by byte what this point resolves to:
- * there is no other record of what is done, so nothing can get out of step with it. */
+ * finished when it holds summary.json, which a run writes last, whole, of this version of the program, with the numbers that are
+ * collected, and case.yaml is byte by byte what this point resolves to: there is no other record of what is done, so nothing can
+ * get out of step with it. */
 #ifndef TR_STUDY_SWEEP_H
 #define TR_STUDY_SWEEP_H
 
@@ -63,6 +64,9 @@ void tr_grid_free(tr_grid *g);
 /* Which value of an axis a point has. */
 int tr_grid_value(const tr_grid *g, int point, int axis);
 
+/* The combination with another value of one axis. */
+int tr_grid_with(const tr_grid *g, int combination, int axis, int value);
+
 /* "mu_r=0.2,rolling_velocity=wang,seed=3": the last part of each key, or as much as tells it apart. What a file name cannot
  * hold becomes `_`, and then a hash of the whole follows, as where it would be too long. */
 enum { TR_POINT_NAME = 256 };
@@ -72,14 +76,30 @@ void tr_grid_name(const tr_grid *g, int point, char name[TR_POINT_NAME]);
 char **tr_grid_sets(const tr_grid *g, int point, tr_status *st);
 void tr_grid_sets_free(const tr_grid *g, char **sets);
 
+/* A value that is given twice under two spellings, and a key whose values have no effect. tr_grid_read looks for them. */
+bool tr_grid_check_twice(const tr_grid *g, tr_status *st);
+
 /* Reads the case of a point. A failure names the point, and the place of the value in the sweep file. */
 bool tr_grid_scene(const tr_grid *g, int point, tr_scene *scene, tr_status *st);
 
-typedef enum tr_point_state { TR_POINT_MISSING, TR_POINT_BEGUN, TR_POINT_OTHER, TR_POINT_FINISHED } tr_point_state;
+/* BEGUN: this run, not to the end. What is between that and FINISHED is a run with a summary.json, and is done again: of
+ * another case; with a summary that cannot be read; of another version of the program; without a number to collect. */
+typedef enum tr_point_state {
+    TR_POINT_MISSING,
+    TR_POINT_BEGUN,
+    TR_POINT_OTHER,
+    TR_POINT_BROKEN,
+    TR_POINT_OLD,
+    TR_POINT_LACKING,
+    TR_POINT_FINISHED
+} tr_point_state;
 
-/* What the directory of a point holds; BEGUN: this run, not to the end; OTHER: a finished run of another case. Reads the case
- * of the point; of the first seed, if it is not finished, finds what tr_run_check does: another seed changes only the sample. */
+/* What the directory of a point holds. Reads the case of the point. */
 bool tr_grid_state(const tr_grid *g, int point, const char *dir, tr_point_state *state, tr_status *st);
+
+/* Finds, before a run, what tr_run_check does, and that its summary.json will lack a number to collect. Of a point of the
+ * first seed it says so for all seeds: another one changes only the sample. */
+bool tr_grid_check(const tr_grid *g, int point, tr_status *st);
 
 typedef struct tr_grid_options {
     const char *dir;

@@ -23,14 +23,11 @@ static bool read_point(const tr_grid *g, int point, const char *dir, double *val
         !tr_dir_path(summary, path, "summary.json", st))
         return false;
     finished[point] = state == TR_POINT_FINISHED;
+    if (!finished[point] && point < g->combinations && !tr_grid_check(g, point, st)) return false;
     for (int k = 0; k < g->n_collect; k++) {
-        tr_status inner = {0};
         double *x = &value[(size_t)k * (size_t)g->n + (size_t)point];
         *x = NAN;
-        if (!finished[point] || tr_summary_read(summary, g->collect[k], x, &inner)) continue;
-        if (inner.code == TR_FILE) return tr_status_fail(st, inner.code, "%s", inner.text);
-        return tr_text_fail(st, g->collect_mark[k], "%.200s has no number `%s`", summary,
-                            tr_text_show(g->collect[k]).text);
+        if (finished[point] && !tr_summary_read(summary, g->collect[k], x, st)) return false;
     }
     return true;
 }
@@ -52,13 +49,6 @@ static void put_mean(FILE *out, const tr_mean *m) {
     for (int i = 0; i < 4; i++) putc(',', out), tr_cell_put(out, number[i], 10);
 }
 
-/* The combination with another value of one axis. */
-static int with(const tr_grid *g, int combination, int axis, int value) {
-    int stride = 1;
-    for (int i = axis + 1; i < g->n_vary; i++) stride *= g->axis[i].n;
-    return combination + (value - tr_grid_value(g, combination, axis)) * stride;
-}
-
 static void put_header(FILE *out, const tr_grid *g) {
     for (int i = 0; i < g->n_vary; i++) put_text(out, g->axis[i].key), putc(',', out);
     fputs("quantity,minus,seeds,mean,standard_error,low_95,high_95\n", out);
@@ -74,7 +64,7 @@ static void put_row(FILE *out, const tr_grid *g, int combination, int k, const t
     put_text(out, g->collect[k]), putc(',', out);
     if (c) snprintf(minus, sizeof minus, "%s=%s", g->axis[c->axis].key, g->axis[c->axis].value[c->to]);
     put_text(out, minus);
-    int other = c ? with(g, combination, c->axis, c->to) : 0;
+    int other = c ? tr_grid_with(g, combination, c->axis, c->to) : 0;
     for (int s = 0; s < g->seeds; s++)
         x[s] = of[s * g->combinations + combination] - (c ? of[s * g->combinations + other] : 0);
     tr_mean mean = tr_mean_of(x, g->seeds);

@@ -239,8 +239,11 @@ static bool read_comparison(const reader *r, const tr_node *node) {
     const tr_axis *axis = &g->axis[c.axis];
     while (c.to < axis->n && strcmp(axis->value[c.to], to) != 0) c.to++;
     if (c.to == axis->n)
-        return tr_text_fail(r->st, to_node->mark, "`%s` is not among the values of `%s`", tr_text_show(to).text,
-                            tr_text_show(key).text);
+        return tr_text_fail(r->st, to_node->mark, "`%s` is not among the values of `%s`, as they are written there",
+                            tr_text_show(to).text, tr_text_show(key).text);
+    for (int i = 0; i < g->n_compare; i++)
+        if (g->compare[i].axis == c.axis && g->compare[i].to == c.to)
+            return tr_text_fail(r->st, node->mark, "this comparison is given twice");
     g->compare[g->n_compare++] = c;
     return true;
 }
@@ -272,6 +275,9 @@ static bool read_collect(const reader *r) {
         g->collect_mark[i] = node ? item->mark : g->root->mark;
         g->collect[i] = node ? text_of(r, item, node, "collect", "a number of summary.json") : usual[i];
         if (!g->collect[i]) return false;
+        for (int k = 0; k < i; k++)
+            if (strcmp(g->collect[k], g->collect[i]) == 0)
+                return tr_text_fail(r->st, item->mark, "`%s` is given twice", tr_text_show(g->collect[i]).text);
     }
     g->n_collect = n;
     return true;
@@ -301,7 +307,7 @@ bool tr_grid_read(tr_grid *g, const char *path, bool many, tr_status *st) {
     if (kind && kind->type == TR_NODE_VALUE && strcmp(kind->text, "sweep") != 0)
         return tr_text_fail(st, kind->mark, "this is not a sweep, `kind: sweep`; trundle run runs a single case");
     return check_keys(&r, g->root, keys, "a sweep") && text_of(&r, kind, g->root, "kind", "sweep") && read_base(&r) &&
-           read_axes(&r) && count_points(&r) && read_compare(&r) && read_collect(&r);
+           read_axes(&r) && count_points(&r) && read_compare(&r) && read_collect(&r) && tr_grid_check_twice(g, st);
 }
 
 void tr_grid_free(tr_grid *g) {

@@ -175,10 +175,9 @@ static bool look(runner *r, int *missing) {
     for (int i = 0; i < n; i++) {
         if (stopped(r)) return tr_status_fail(r->st, TR_INTERRUPTED, "stopped before the first point");
         if (!tr_grid_state(r->g, r->o->first + i, r->o->dir, &r->state[i], r->st)) return false;
-        if (r->state[i] == TR_POINT_FINISHED)
-            r->report->before++;
-        else
-            ++*missing;
+        bool done = r->state[i] == TR_POINT_FINISHED, look_closer = n == 1 || r->o->first + i < r->g->combinations;
+        if (!done && look_closer && !tr_grid_check(r->g, r->o->first + i, r->st)) return false;
+        r->report->before += done, *missing += !done;
         show(r, "checking", i + 1, n);
     }
     return true;
@@ -190,6 +189,13 @@ static bool claim(const runner *r) {
     return tr_dir_make(dir, ".", r->st) && tr_made_add(dir, "points.csv", r->st) &&
            tr_made_add(dir, "collect.csv", r->st);
 }
+
+static const char *const again[TR_POINT_FINISHED] = {
+    [TR_POINT_OTHER] = "another case",
+    [TR_POINT_BROKEN] = "a summary.json that is not whole",
+    [TR_POINT_OLD] = "a run of another version of trundle",
+    [TR_POINT_LACKING] = "a summary.json without a number to collect",
+};
 
 static void run_all(runner *r, int missing) {
     bool ended = false;
@@ -208,8 +214,8 @@ static void run_all(runner *r, int missing) {
         job *j = r->jobs;
         while (j < r->jobs + r->o->jobs && j->pid) j++;
         if (more && j < r->jobs + r->o->jobs) {
-            if (r->state[next - r->o->first] == TR_POINT_OTHER)
-                say(r, next, "note: its directory holds another case; it is done again");
+            const char *why = again[r->state[next - r->o->first]];
+            if (why) say(r, next, "note: its directory holds %s; it is done again", why);
             begin(r, j, next++);
         } else {
             nanosleep(&(struct timespec){.tv_nsec = 5000000}, NULL);

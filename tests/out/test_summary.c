@@ -135,9 +135,8 @@ static void test_what_is_no_number_is_an_empty_cell(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_strength), cmocka_unit_test(test_counts),
-                                       cmocka_unit_test(test_increments),
-                                       cmocka_unit_test(test_tan_phi_where_there_is_one),
-                                       cmocka_unit_test(test_what_is_no_number_is_an_empty_cell)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_strength), cmocka_unit_test(test_counts), cmocka_unit_test(test_increments),
+        cmocka_unit_test(test_tan_phi_where_there_is_one), cmocka_unit_test(test_what_is_no_number_is_an_empty_cell)};
     return cmocka_run_group_tests_name("summary", tests, NULL, NULL);
 }

@@ -4,6 +4,7 @@
  * whole message of each mistake. */
 #include "assert_close.h"
 #include "base/student.h"
+#include "base/version.h"
 #include "laws/law.h"
 #include "out/dir.h"
 #include "study/sweep.h"
@@ -19,6 +20,13 @@ static const char base_case[] = "kind: biaxial\n"
                                 "contact: {k_n: 1 MPa, mu: 0.5, mu_r: 0.1}\n"
                                 "compaction: {pressure: 1 kPa}\n"
                                 "output: {frames: 0}\n";
+
+static const char bodies_case[] = "kind: bodies\n"
+                                  "time_end: 1 ms\n"
+                                  "contact: {k_n: 1 MPa, mu: 0.5, mu_r: 0.1}\n"
+                                  "disks: [{radius: 10 mm, x: 0, y: 20 mm, vx: 1 m/s}]\n"
+                                  "walls: [{nx: 0, ny: 1}]\n"
+                                  "checks: [{what: speed, disk: 0, exact: 1 m/s, tolerance: 1e-9 m/s}]\n";
 
 #define HEAD "kind: sweep\nbase: base.yaml\n"
 
@@ -203,8 +211,9 @@ static void collect(void **state) {
     for (int i = 0; i < g.n; i++) {
         int seed = i / 4 + 1, mu_r = i % 2;
         double more = i / 2 % 2 ? 0 : (double[]){1, 2, 4}[seed - 1];
-        char summary[100];
-        snprintf(summary, sizeof summary, "{\"x\": %g, \"deep\": [{}, {\"y\": null}]}", 10 * mu_r + seed + more);
+        char summary[160];
+        snprintf(summary, sizeof summary, "{\"version\": \"" TR_VERSION "\", \"x\": %g, \"deep\": [{}, {\"y\": null}]}",
+                 10 * mu_r + seed + more);
         if (!(i == 7)) finish(&g, i, summary);
     }
     if (!tr_grid_collect(&g, folder, &missing, &st)) fail_msg("%s", st.text);
@@ -262,19 +271,45 @@ static void collect(void **state) {
     tr_grid_free(&g);
 }
 
-static void states(void **state) {
-    (void)state;
-    tr_grid g = read_ok(HEAD "seeds: [77, 78]\n"), other;
+static tr_point_state state_of(const tr_grid *g, int point) {
     tr_point_state is;
     tr_status st = {0};
-    if (!tr_grid_state(&g, 0, folder, &is, &st)) fail_msg("%s", st.text);
-    assert_int_equal(is, TR_POINT_MISSING);
-    finish(&g, 0, "{}");
-    assert_true(tr_grid_state(&g, 0, folder, &is, &st) && is == TR_POINT_FINISHED);
-    assert_true(tr_grid_state(&g, 1, folder, &is, &st) && is == TR_POINT_MISSING);
+    if (!tr_grid_state(g, point, folder, &is, &st)) fail_msg("%s", st.text);
+    return is;
+}
+
+#define WHOLE "{\"version\": \"" TR_VERSION "\", \"sin_phi_peak\": 0.5}"
+
+/* What counts as finished: a summary that is whole, of this version, with the numbers to collect, of this case. */
+static void states(void **state) {
+    (void)state;
+    static const struct {
+        const char *summary;
+        tr_point_state is;
+    } row[] = {
+        {WHOLE, TR_POINT_FINISHED},
+        {"", TR_POINT_BROKEN}, /* as a computer that loses its power may leave it */
+        {"{\"version\": \"" TR_VERSION "\", \"sin_phi_p", TR_POINT_BROKEN},
+        {"[]", TR_POINT_BROKEN},
+        {"{\"sin_phi_peak\": 0.5}", TR_POINT_BROKEN},
+        {"{\"version\": \"" TR_VERSION "0\", \"sin_phi_peak\": 0.5}", TR_POINT_OLD},
+        {"{\"version\": \"" TR_VERSION "\", \"sin_phi\": 0.5}", TR_POINT_LACKING},
+        {WHOLE "\n", TR_POINT_FINISHED},
+    };
+    tr_grid g = read_ok(HEAD "seeds: [77, 78]\ncollect: [sin_phi_peak]\n"), other;
+    int missing;
+    tr_status st = {0};
+    assert_int_equal(state_of(&g, 0), TR_POINT_MISSING);
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+        finish(&g, 0, row[i].summary);
+        if (state_of(&g, 0) != row[i].is) fail_msg("%s: %d, not %d", row[i].summary, state_of(&g, 0), row[i].is);
+        if (!tr_grid_collect(&g, folder, &missing, &st)) fail_msg("%s: %s", row[i].summary, st.text);
+        assert_int_equal(missing, row[i].is == TR_POINT_FINISHED ? 1 : 2);
+    }
+    assert_int_equal(state_of(&g, 1), TR_POINT_MISSING);
     tr_grid_free(&g);
     other = read_ok(HEAD "seeds: [77]\nset: {contact.mu: 0.4}\n"); /* the same directory, another case */
-    assert_true(tr_grid_state(&other, 0, folder, &is, &st) && is == TR_POINT_OTHER);
+    assert_int_equal(state_of(&other, 0), TR_POINT_OTHER);
     tr_grid_free(&other);
 }
 
@@ -325,10 +360,49 @@ static void bad(void **state) {
         {HEAD "vary: {contact.mu: [0, 1]}\ncompare: {key: contact.mu_r, to: 1}\n",
          "4:16: error: `contact.mu_r` is not in `vary`\ncompare: {key: contact.mu_r, to: 1}\n               ^"},
         {HEAD "vary: {contact.mu: [0, 1]}\ncompare: {key: contact.mu, to: 2}\n",
-         "4:32: error: `2` is not among the values of `contact.mu`\ncompare: {key: contact.mu, to: 2}\n"
+         "4:32: error: `2` is not among the values of `contact.mu`, as they are written there\ncompare: {key: "
+         "contact.mu, to: 2}\n"
          "                               ^"},
         {HEAD "seeds: [1]\ncollect: []\n",
          "4:10: error: `collect` must be a list of numbers of summary.json\ncollect: []\n         ^"},
+        {HEAD "vary: {contact.mu: [0, 1]}\ncompare: [{key: contact.mu, to: 1}, {key: contact.mu, to: 1}]\n",
+         "4:37: error: this comparison is given twice"},
+        {HEAD "seeds: [1]\ncollect: [e0, sin_phi_peak, e0]\n", "4:29: error: `e0` is given twice"},
+        /* numbers that no run of this case will have */
+        {HEAD "seeds: [5]\ncollect: [e0, sin_phi_paek]\n",
+         "4:15: error: no number `sin_phi_paek` will be in the summary.json of point 0 (seed=5) (did you mean "
+         "`sin_phi_peak`?); collect of: seed, n_disks, e0, "},
+        {HEAD "seeds: [5]\ncollect: [version]\n", "4:11: error: no number `version` will be"}, /* a text */
+        {HEAD "seeds: [5]\ncollect: [e0.]\n", "4:11: error: no number `e0.` will be"},
+        {HEAD "seeds: [5]\ncollect: [checks.0.measured]\n", "4:11: error: no number `checks.0.measured` will be"},
+        {HEAD "seeds: [5]\ncollect: [passes.a]\n", "4:11: error: no number `passes.a` will be"},
+        {HEAD "seeds: [5]\nset: {output.energy: no}\ncollect: [energy_residual_over_work]\n",
+         "5:11: error: no number `energy_residual_over_work` will be in the summary.json of point 0 (seed=5)"},
+        {HEAD "seeds: [5]\nvary: {output.energy: [yes, no]}\ncollect: [energy_residual_over_work]\n",
+         "5:11: error: no number `energy_residual_over_work` will be in the summary.json of point 1 "
+         "(energy=no,seed=5)"},
+        {"kind: sweep\nbase: bodies.yaml\nvary: {contact.mu: [0.1, 0.2]}\n",
+         "1:1: error: no number `sin_phi_residual` will be in the summary.json of point 0 (mu=0.1); collect of: "},
+        {"kind: sweep\nbase: bodies.yaml\nvary: {contact.mu: [0.1, 0.2]}\ncollect: [checks.1.measured]\n",
+         "4:11: error: no number `checks.1.measured` will be in the summary.json of point 0 (mu=0.1) (did you mean "
+         "`checks.0.measured`?); "},
+        {"kind: sweep\nbase: bodies.yaml\nvary: {contact.mu: [0.1, 0.2]}\ncollect: [checks.zero.measured]\n",
+         "4:11: error: no number `checks.zero.measured` will be"},
+        /* one value under two spellings */
+        {HEAD "vary: {contact.mu: [0.25, 0.5, 1/2]}\n",
+         "3:32: error: `0.5` and `1/2` of `contact.mu` make the same case: give one of them\n"
+         "vary: {contact.mu: [0.25, 0.5, 1/2]}\n                               ^"},
+        {HEAD "vary: {contact.mu_r: [0, 1], contact.mu: [50e-2, 0.5]}\n",
+         "3:50: error: `50e-2` and `0.5` of `contact.mu` make the same case"},
+        {HEAD "vary: {sample.r_min: [1 mm, 0.5 mm, 0.001]}\n",
+         "3:37: error: `1 mm` and `0.001` of `sample.r_min` make the same case"},
+        {HEAD "vary: {contact.k_n: [1000 kPa, 2 MPa, 2e6 Pa]}\n",
+         "3:39: error: `2 MPa` and `2e6 Pa` of `contact.k_n` make the same case"},
+        {HEAD "vary: {contact.mu: [0.3, 0.1*3]}\n", /* which is 0.30000000000000004 */
+         "3:26: error: `0.3` and `0.1*3` of `contact.mu` make the same case"},
+        {HEAD "vary: {contact.mu: [0.1, 0.2]}\nset: {\"contact.mu \": 0.3}\n",
+         "3:26: error: `0.1` and `0.2` of `contact.mu` make the same case"},
+        {HEAD "seeds: [1, 01]\n", "3:12: error: `1` is given twice"},
         {HEAD "seeds: [1]\n---\nseeds: [1]\n", "4:1: error: a second document (---) is not allowed\n---\n^"},
         /* what reading the base case finds */
         {HEAD "seeds: [4]\nvary:\n  contact.mu_R: [1]\n",
@@ -345,9 +419,8 @@ static void bad(void **state) {
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         tr_grid g;
         tr_status st = {0};
-        tr_point_state is;
         bool ok = tr_grid_read(&g, write_file("bad.yaml", rows[i].text), false, &st);
-        for (int point = 0; ok && point < g.n; point++) ok = tr_grid_state(&g, point, "/none", &is, &st);
+        for (int point = 0; ok && point < g.n; point++) ok = tr_grid_check(&g, point, &st);
         if (ok) fail_msg("no error:\n%s", rows[i].text);
         assert_int_equal(st.code, TR_BAD_CASE);
         const char *message = strstr(st.text, "bad.yaml:");
@@ -358,14 +431,28 @@ static void bad(void **state) {
     }
 }
 
+/* Nearly equal is not equal; nor are values that matter only where another key has another value. */
+static void values_that_differ_are_not_one(void **state) {
+    (void)state;
+    static const char *const text[] = {
+        HEAD "vary: {contact.mu: [0.3, 0.3000000001]}\n",
+        HEAD "vary: {contact.mu: [0.1, 0.2], contact.mu_r: [0.1, 0.2]}\n",
+        HEAD "vary: {contact.rolling: [none, wang-spring], contact.rolling_velocity: [wang, bagi-kuhn]}\n",
+        HEAD "vary: {sample.r_min: [1 mm, 0.1 mm, 0.01]}\n",
+    };
+    for (size_t i = 0; i < sizeof text / sizeof *text; i++) {
+        tr_grid g = read_ok(text[i]);
+        tr_grid_free(&g);
+    }
+}
+
 static void shipped(void **state) {
     (void)state;
     tr_grid g;
     tr_status st = {0};
-    tr_point_state is;
     if (!tr_grid_read(&g, "cases/sweep-quick.yaml", false, &st)) fail_msg("%s", st.text);
     for (int i = 0; i < g.n; i++)
-        if (!tr_grid_state(&g, i, "/none", &is, &st)) fail_msg("%s", st.text);
+        if (!tr_grid_check(&g, i, &st)) fail_msg("%s", st.text);
     tr_grid_free(&g);
 }
 
@@ -373,6 +460,7 @@ static int set_up(void **state) {
     (void)state;
     if (!mkdtemp(folder)) return -1;
     write_file("base.yaml", base_case);
+    write_file("bodies.yaml", bodies_case);
     return 0;
 }
 
@@ -385,9 +473,11 @@ static int tear_down(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(points),  cmocka_unit_test(ranges), cmocka_unit_test(names),
-        cmocka_unit_test(student), cmocka_unit_test(means),  cmocka_unit_test(collect),
-        cmocka_unit_test(states),  cmocka_unit_test(bad),    cmocka_unit_test(shipped),
+        cmocka_unit_test(points),  cmocka_unit_test(ranges),
+        cmocka_unit_test(names),   cmocka_unit_test(student),
+        cmocka_unit_test(means),   cmocka_unit_test(collect),
+        cmocka_unit_test(states),  cmocka_unit_test(bad),
+        cmocka_unit_test(shipped), cmocka_unit_test(values_that_differ_are_not_one),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -152,6 +152,16 @@ done
 rm two/mu_r=0,*wang,seed=3/summary.json
 check 'a summary is gone: that point' sweep_gives 0 sweep.yaml -o two
 check 'is done again' says stdout '11 finished before, 1 run now, 0 failed'
+: >"$(echo two/mu_r=0,*wang,seed=5)/summary.json"
+check 'a summary is empty: that point' sweep_gives 0 sweep.yaml -o two
+check 'is done again' says stdout '11 finished before, 1 run now, 0 failed'
+check 'which is told' says stderr 'seed=5): note: its directory holds a summary.json that is not whole; it is done again'
+sed -i 's/"version": "[^"]*"/"version": "0.0.1"/; s/"sin_phi_peak": .*,/"sin_phi_peak": 9,/' two/mu_r=0,*wang,seed=8/summary.json
+check 'of another version: not collected' sweep_gives 0 sweep.yaml -o two --collect
+check 'as it says' says stderr '1 of 12 points are not finished and left out'
+check 'it is done again' sweep_gives 0 sweep.yaml -o two
+check 'which is told' says stderr 'seed=8): note: its directory holds a run of another version of trundle; it is done again'
+check 'and all is as before' same two one
 sed -i 's/mu: 0.5/mu: 0.4/' small.yaml
 check 'another base case' sweep_gives 0 sweep.yaml -o two
 check 'all are done again' says stdout '0 finished before, 12 run now, 0 failed'
@@ -207,7 +217,13 @@ check 'a million points' sweep_gives 2 bad.yaml -o bad --list
 check 'unless they are meant' says stderr '1000000 points; if you mean more than 10000, say --yes'
 sed 's/^compare.*/collect: [sin_phi]/' sweep.yaml >bad.yaml
 check 'a number that no summary has' sweep_gives 2 bad.yaml -o killed
-check 'its line' says stderr 'bad.yaml:6:11: error: killed/'
+check 'its line' says stderr 'bad.yaml:6:11: error: no number `sin_phi` will be in the summary.json of point 0'
+check 'the same before any point runs' sweep_gives 2 bad.yaml -o never
+check 'nothing is made' not test -e never
+sed 's/1\/2/1\/2, 50e-2/' sweep.yaml >bad.yaml
+check 'one value under two spellings' sweep_gives 2 bad.yaml -o never
+check 'both are named' says stderr 'bad.yaml:4:31: error: `1/2` and `50e-2` of `contact.mu_r` make the same case'
+check 'nothing is made' not test -e never
 rm -r killed/mu_r=0,*seed=3 # a point that cannot run is found before
 sed 's/disks: 40/disks: 40, step.dt: 1 s/' sweep.yaml >bad.yaml
 check 'a step above the bound' sweep_gives 2 bad.yaml -o killed
