@@ -138,6 +138,13 @@ struct tr_ledger {
     double wall_fx[TR_MAX_WALLS], wall_fy[TR_MAX_WALLS], cell_force[2]; /* of the step before */
 };
 
+/* A contact that was pressed deeper than any law means: that ends the run. */
+typedef struct tr_crush {
+    bool found, walls;
+    int a, b; /* a: of walls the wall */
+    double delta; /* [m] */
+} tr_crush;
+
 typedef struct tr_world {
     tr_shape shape;          /* of all bodies */
     double dt;               /* [s]; set by the driver, see timestep.h */
@@ -169,6 +176,7 @@ typedef struct tr_world {
     bool fresh;        /* laws were just set: nothing has moved since the histories were zero */
     bool stale;        /* the list no longer holds every pair that may touch */
     int64_t searches, refreshes;
+    tr_crush crush; /* what tr_step_forces has failed for, if it was that */
 } tr_world;
 
 /* Which sinks a world keeps. */

@@ -27,7 +27,7 @@ const tr_verification tr_verify_stability[] = {
      "laws/friction_coulomb_spring.c: no lower bound", tr_stability_unloading},
     {"stability", "full-slip", "assemblies with Q at mu P, every law of friction", STATED,
      "laws/friction_coulomb_spring.c: no lower bound", tr_stability_full_slip},
-    {"stability", "hardness", "the biaxial test from k_n/pressure 10 to 1e7", STATED,
+    {"stability", "hardness", "the biaxial test from k_n/pressure 10 and 500 to 1e7", STATED,
      "core/contacts.c: overlaps to 9 R allowed", tr_stability_biaxial},
 };
 const int tr_n_verify_stability = sizeof tr_verify_stability / sizeof *tr_verify_stability;
