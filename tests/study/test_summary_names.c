@@ -54,8 +54,28 @@ static void names_are_known_before(void **state) {
     }
 }
 
+static void numbers_by_their_way(void **state) {
+    (void)state;
+    static const char json[] = "{\"x\": 1, \"deep\": [{\"y\": 2}, {\"y\": 3, \"z\": \"4\"}]}";
+    static const char *const none[] = {"",         "y",        "x.",        "x.0",        "deep",      "deep.y",
+                                       "deep.2.y", "deep.1.z", "deep.1.y.", "deep.one.y", "deep.-1.y", "deep.1..y"};
+    char path[TR_PATH];
+    double value;
+    tr_status st = {0};
+    assert_true(tr_file_write(folder, "deep.json", json, &st) && tr_dir_path(path, folder, "deep.json", &st));
+    assert_true(tr_summary_read(path, "x", &value, &st) && value == 1);
+    assert_true(tr_summary_read(path, "deep.0.y", &value, &st) && value == 2);
+    assert_true(tr_summary_read(path, "deep.1.y", &value, &st) && value == 3);
+    for (size_t i = 0; i < sizeof none / sizeof *none; i++) {
+        if (tr_summary_read(path, none[i], &value, &st)) fail_msg("`%s` is %g", none[i], value);
+        assert_int_equal(st.code, TR_BAD_CASE);
+        st = (tr_status){0};
+    }
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(names_are_known_before)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(names_are_known_before),
+                                       cmocka_unit_test(numbers_by_their_way)};
     if (!mkdtemp(folder)) return 1;
     int failed = cmocka_run_group_tests_name("summary names", tests, NULL, NULL);
     char command[100];

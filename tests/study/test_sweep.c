@@ -7,7 +7,6 @@
 #include "base/version.h"
 #include "laws/law.h"
 #include "out/dir.h"
-#include "out/summary.h"
 #include "study/sweep.h"
 
 #include <stdlib.h>
@@ -279,23 +278,6 @@ static tr_point_state state_of(const tr_grid *g, int point) {
     return is;
 }
 
-static void numbers_by_their_way(void **state) {
-    (void)state;
-    const char *path = write_file("deep.json", "{\"x\": 1, \"deep\": [{\"y\": 2}, {\"y\": 3, \"z\": \"4\"}]}");
-    static const char *const none[] = {"",         "y",        "x.",        "x.0",        "deep",      "deep.y",
-                                       "deep.2.y", "deep.1.z", "deep.1.y.", "deep.one.y", "deep.-1.y", "deep.1..y"};
-    double value;
-    tr_status st = {0};
-    assert_true(tr_summary_read(path, "x", &value, &st) && value == 1);
-    assert_true(tr_summary_read(path, "deep.0.y", &value, &st) && value == 2);
-    assert_true(tr_summary_read(path, "deep.1.y", &value, &st) && value == 3);
-    for (size_t i = 0; i < sizeof none / sizeof *none; i++) {
-        if (tr_summary_read(path, none[i], &value, &st)) fail_msg("`%s` is %g", none[i], value);
-        assert_int_equal(st.code, TR_BAD_CASE);
-        st = (tr_status){0};
-    }
-}
-
 #define WHOLE "{\"version\": \"" TR_VERSION "\", \"sin_phi_peak\": 0.5}"
 
 /* What counts as finished: a summary that is whole, of this version, with the numbers to collect, of this case. */
@@ -491,17 +473,11 @@ static int tear_down(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(points),
-        cmocka_unit_test(ranges),
-        cmocka_unit_test(names),
-        cmocka_unit_test(student),
-        cmocka_unit_test(means),
-        cmocka_unit_test(collect),
-        cmocka_unit_test(states),
-        cmocka_unit_test(bad),
-        cmocka_unit_test(shipped),
-        cmocka_unit_test(numbers_by_their_way),
-        cmocka_unit_test(values_that_differ_are_not_one),
+        cmocka_unit_test(points),  cmocka_unit_test(ranges),
+        cmocka_unit_test(names),   cmocka_unit_test(student),
+        cmocka_unit_test(means),   cmocka_unit_test(collect),
+        cmocka_unit_test(states),  cmocka_unit_test(bad),
+        cmocka_unit_test(shipped), cmocka_unit_test(values_that_differ_are_not_one),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }
