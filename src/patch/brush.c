@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "patch/brush.h"
 #include "base/alloc.h"
+#include "patch/cut.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -101,6 +102,16 @@ bool tr_brush_step(tr_brush *o, const tr_patch_step *step, tr_status *st) {
     } else {
         tr_patch_state_clear(&o->s);
     }
+    if (!ok) tr_patch_state_clear(&o->s);
+    return ok;
+}
+
+static bool piece(void *body, const tr_patch_step *step, tr_status *st) {
+    return tr_brush_step(body, step, st);
+}
+
+bool tr_brush_go(tr_brush *o, const tr_patch_step *row, tr_status *st) {
+    bool ok = tr_patch_walk(&o->s, &o->pair, row, piece, o, st);
     if (!ok) tr_patch_state_clear(&o->s);
     return ok;
 }

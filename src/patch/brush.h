@@ -24,6 +24,7 @@ typedef struct tr_brush tr_brush;
 tr_brush *tr_brush_new(const tr_patch_pair *pair, int n, double k_w, tr_status *st);
 void tr_brush_free(tr_brush *o);
 bool tr_brush_step(tr_brush *o, const tr_patch_step *step, tr_status *st);
+bool tr_brush_go(tr_brush *o, const tr_patch_step *row, tr_status *st); /* of any length: cut.h cuts it into steps */
 const tr_patch_state *tr_brush_state(const tr_brush *o); /* valid until the next step */
 
 #endif

@@ -3,6 +3,7 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "patch/bounded.h"
+#include "patch/cut.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -129,6 +130,16 @@ bool tr_half_plane_step(tr_half_plane *o, const tr_patch_step *step, tr_status *
     } else {
         tr_patch_state_clear(&o->s);
     }
+    if (!ok) tr_patch_state_clear(&o->s);
+    return ok;
+}
+
+static bool piece(void *body, const tr_patch_step *step, tr_status *st) {
+    return tr_half_plane_step(body, step, st);
+}
+
+bool tr_half_plane_go(tr_half_plane *o, const tr_patch_step *row, tr_status *st) {
+    bool ok = tr_patch_walk(&o->s, &o->pair, row, piece, o, st);
     if (!ok) tr_patch_state_clear(&o->s);
     return ok;
 }

@@ -37,6 +37,9 @@ void tr_half_plane_free(tr_half_plane *o);
  * residual). After a failure the contact is open. */
 bool tr_half_plane_step(tr_half_plane *o, const tr_patch_step *step, tr_status *st);
 
+/* The same for a row of a path, of any length: cut.h cuts it into steps. */
+bool tr_half_plane_go(tr_half_plane *o, const tr_patch_step *row, tr_status *st);
+
 /* Tractions, slip and what the next step begins with; grid and matrices follow from P. To load: into a new one. */
 void tr_half_plane_checkpoint(tr_half_plane *o, tr_checkpoint *c);
 

@@ -17,11 +17,13 @@ bool tr_patch_state_new(tr_patch_state *s, const tr_patch_pair *c, int n, tr_sta
     size_t m = (size_t)n;
     return (s->x = tr_alloc(m, sizeof *s->x, st)) && (s->p = tr_alloc(m, sizeof *s->p, st)) &&
            (s->tau = tr_alloc(m, sizeof *s->tau, st)) && (s->slip = tr_alloc(m, sizeof *s->slip, st)) &&
-           (s->side = tr_alloc(m, sizeof *s->side, st));
+           (s->side = tr_alloc(m, sizeof *s->side, st)) &&
+           (s->slip_sum = tr_alloc(m, sizeof *s->slip_sum, st)) &&
+           (s->tau_before = tr_alloc(m, sizeof *s->tau_before, st));
 }
 
 void tr_patch_state_free(tr_patch_state *s) {
-    free(s->x), free(s->p), free(s->tau), free(s->slip), free(s->side);
+    free(s->x), free(s->p), free(s->tau), free(s->slip), free(s->side), free(s->slip_sum), free(s->tau_before);
 }
 
 void tr_patch_state_clear(tr_patch_state *s) {

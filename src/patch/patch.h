@@ -57,10 +57,11 @@ typedef struct tr_patch_state {
     double P, a, h;    /* h = 2a/n */
     double *x;         /* [m] */
     double *p, *tau;   /* means over the element [Pa] */
-    double *slip;      /* of the step, of the material now at x [m] */
+    double *slip;      /* of the step, at x [m]; see cut.h */
     signed char *side; /* 0: it stuck; +1, -1: tau = side mu p */
     double Q, du;      /* Q = h sum tau */
     double dissipated; /* h sum tau slip [N] */
+    double *slip_sum, *tau_before; /* work of cut.c, n */
 } tr_patch_state;
 
 /* Allocates the arrays; refuses a pair that is not finite and positive, and n outside 2..TR_PATCH_MAX. */

@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "laws/law.h"
+#include "patch/cut.h"
 #include "patch/half_plane.h"
 #include <math.h>
 #include <stdio.h>
@@ -20,6 +21,7 @@ typedef struct line {
     double *hist_at[2][TR_MAX_HIST], *pair_at[2][TR_MAX_PAIR];
     tr_half_plane *exact; /* of the law that is solved by patch/, else NULL */
     double mu;            /* of it */
+    bool creeps;          /* friction goes by the width of the contact, so by how far it rolls */
     double R1, R2, g1, E_star;
     double P, delta;             /* now */
     double P_start, delta_start; /* at the start of the segment */
@@ -71,6 +73,7 @@ static void set_line(line *l, const tr_scene_contact *laws, const tr_scene *scen
     l->E_star = modulus(laws, scene);
     l->normal = tr_laws_normal[laws->normal.law], l->normal_par = laws->normal.par;
     l->friction = tr_laws_friction[laws->friction.law];
+    l->creeps = l->friction->step && tr_law_value(l->friction, laws->friction.par, "E_star");
     l->rolling = tr_laws_rolling[laws->rolling.law];
     if (l->rolling->needs & TR_NEEDS_V_R) l->rolling_velocity = tr_rolling_velocities[laws->rolling_velocity].step;
     bind(l, 0, l->friction, &laws->friction, &bodies, scene->shape, &l->friction_data);
@@ -151,7 +154,7 @@ static bool run_passes(line *l, double w1, double w2, double dt, tr_status *st) 
     if (l->friction->step) l->friction->step(t, &l->friction_data);
     if (l->exact) {
         tr_patch_step step = {.P = l->P, .dr = -0.5 * (t->s1[0] + t->s2[0]) * dt, .du = t->v_s[0] * dt};
-        if (!tr_half_plane_step(l->exact, &step, st)) return false;
+        if (!tr_half_plane_go(l->exact, &step, st)) return false;
         t->f_t[0] = tr_half_plane_state(l->exact)->Q;
     }
     if (l->rolling_velocity) l->rolling_velocity(t, NULL);
@@ -175,6 +178,28 @@ static bool is_finite(const tr_contact_state *s) {
            isfinite(s->Q) && isfinite(s->q) && isfinite(s->moment_1) && isfinite(s->moment_2) && isfinite(s->f_r);
 }
 
+/* Steps of a friction law that creeps, in a row of a file: the row is a piece of a path, not a step that an assembly
+ * takes. */
+static int steps_of_row(const tr_contact *c, const line *l, double P, double roll) {
+    enum { ELEMENTS = 200 };
+    if (!c->scene->path_file || !l->creeps) return 1;
+    double a = tr_law_width(c->scene->shape, P, c->scene->pair.R_star, l->E_star);
+    return tr_patch_pieces(a, a, ELEMENTS, roll);
+}
+
+/* To the force or the overlap `to`. */
+static bool advance(const tr_contact *c, line *l, bool by_force, double to, double w1, double w2, double dt,
+                    tr_status *st) {
+    const tr_scene_segment *g = &c->scene->path[c->segment];
+    const double from = by_force ? l->P : l->delta;
+    const int n = by_force ? steps_of_row(c, l, to, g->roll) : 1;
+    for (int k = 1; k <= n; k++) {
+        press(l, by_force, k == n ? to : from + (to - from) * k / n);
+        if (!run_passes(l, w1, w2, dt / n, st)) return false;
+    }
+    return true;
+}
+
 bool tr_contact_step(tr_contact *c, tr_contact_state *state, tr_status *st) {
     const tr_scene_pair *pair = &c->scene->pair;
     const tr_scene_segment *g = &c->scene->path[c->segment];
@@ -189,8 +214,7 @@ bool tr_contact_step(tr_contact *c, tr_contact_state *state, tr_status *st) {
         line *l = &c->lines[i];
         double start = by_force ? l->P_start : l->delta_start;
         bool ok = s.step > 1 || run_passes(l, 0, 0, dt, st); /* at its first force the contact is at rest, Q = 0 */
-        press(l, by_force, last ? goal : start + part * (goal - start));
-        if (!ok || !run_passes(l, w1, w2, dt, st)) {
+        if (!ok || !advance(c, l, by_force, last ? goal : start + part * (goal - start), w1, w2, dt, st)) {
             size_t used = strlen(st->text);
             snprintf(st->text + used, sizeof st->text - used, ", in laws.%d at step %lld (path.%d)", i,
                      (long long)s.step, s.segment);

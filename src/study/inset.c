@@ -44,7 +44,7 @@ static bool is_due(const tr_inset *inset, tr_path_point now) {
 static bool step_to(tr_inset *inset, tr_path_point to, tr_status *st) {
     tr_patch_step step = {.P = to.P, .dr = to.u_roll - inset->at.u_roll, .du = to.u_slide - inset->at.u_slide};
     inset->at = to;
-    return tr_half_plane_step(inset->solver, &step, st);
+    return tr_half_plane_go(inset->solver, &step, st);
 }
 
 static tr_path_point between(const tr_path_point *p, const tr_path_point *q, double part) {
@@ -55,11 +55,10 @@ static tr_path_point between(const tr_path_point *p, const tr_path_point *q, dou
 
 bool tr_inset_step(tr_inset *inset, tr_path_point now, tr_status *st) {
     const tr_path_point *at = &inset->at;
-    const double h = 2 * tr_patch_a(&inset->pair, now.P) / ELEMENTS, most = 8 * ELEMENTS * h;
-    if (now.P > 0 && at->P > 0 && fabs(now.u_roll - at->u_roll) > most)
-        inset->at = between(at, &now, 1 - most / fabs(now.u_roll - at->u_roll)); /* what was there is rolled over */
-    while (now.P > 0 && at->P > 0 && fabs(now.u_roll - at->u_roll) >= h * (1 - 1e-9)) {
-        if (!step_to(inset, between(at, &now, fmin(h / fabs(now.u_roll - at->u_roll), 1)), st)) return false;
+    const double h = 2 * tr_patch_a(&inset->pair, now.P) / ELEMENTS, roll = fabs(now.u_roll - at->u_roll);
+    if (now.P > 0 && at->P > 0 && roll >= h * (1 - 1e-9)) {
+        double whole = floor(roll / h * (1 + 1e-9)) * h;
+        if (!step_to(inset, between(at, &now, fmin(whole / roll, 1)), st)) return false;
     }
     return !is_due(inset, now) || step_to(inset, now, st);
 }

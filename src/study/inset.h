@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The inside of one contact of an assembly, for its frames: the half-plane (patch/half_plane.h) driven by that contact's
- * own path since the start, its P, u_slide and u_roll. Nothing is made up from Q; the half-plane finds its own.
+/* The inside of one contact of an assembly, for its frames: the half-plane (patch/half_plane.h) driven by that
+ * contact's own path since the start, its P, u_slide and u_roll. Nothing is made up from Q; the half-plane finds its
+ * own.
  *
- * It steps by whole elements h = 2a/n of rolling, which it carries on exactly; and when the contact has slid 1/20 of
- * mu a^2/(2 R_star) = 2 mu P/(pi E_star), the scale of Cattaneo's sliding, a has changed by 2/n, or it opens or closes. R_star is that of the
- * two disks, mu and E_star those of the laws, depth that of the normal law or by its default 2 sqrt(R1 R2)/e. */
+ * It is taken along by whole elements h = 2a/n of rolling, which the half-plane carries on exactly (patch/cut.h); and
+ * when the contact has slid 1/20 of mu a^2/(2 R_star) = 2 mu P/(pi E_star), the scale of Cattaneo's sliding, a has
+ * changed by 2/n, or it opens or closes. R_star is that of the two disks, mu and E_star those of the laws, depth that
+ * of the normal law or by its default 2 sqrt(R1 R2)/e. */
 #ifndef TR_INSET_H
 #define TR_INSET_H
 

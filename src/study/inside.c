@@ -104,8 +104,8 @@ static void cattaneo(tr_inside *o, const tr_patch_step *step) {
 }
 
 static bool advance(tr_inside *o, const tr_patch_step *step, tr_status *st) {
-    if (o->half_plane) return tr_half_plane_step(o->half_plane, step, st);
-    if (o->brush) return tr_brush_step(o->brush, step, st);
+    if (o->half_plane) return tr_half_plane_go(o->half_plane, step, st);
+    if (o->brush) return tr_brush_go(o->brush, step, st);
     if (!tr_patch_step_check(step, &o->pair, st)) return false;
     if (step->P == 0) return tr_patch_state_clear(&o->closed), true;
     tr_patch_state_grid(&o->closed, &o->pair, step->P);
@@ -114,6 +114,11 @@ static bool advance(tr_inside *o, const tr_patch_step *step, tr_status *st) {
     s->dissipated = 0;
     for (int i = 0; i < s->n; i++) s->dissipated += s->h * s->tau[i] * s->slip[i];
     return true;
+}
+
+/* The path starts under the force of its first segment, without friction. */
+static bool start(tr_inside *o, tr_status *st) {
+    return o->P_start == 0 || o->scene->patch.solver > TR_BRUSH || advance(o, &(tr_patch_step){.P = o->P_start}, st);
 }
 
 /* A failure of a solver knows neither step nor segment. */
@@ -135,6 +140,7 @@ bool tr_inside_step(tr_inside *o, tr_contact_state *state, tr_status *st) {
     else
         step.du = g->slide / g->steps;
     o->step++;
+    if (o->step == 1 && !start(o, st)) return tell_where(o, st);
     if (!advance(o, &step, st)) return tell_where(o, st);
     const tr_patch_state *s = tr_inside_patch(o);
     const tr_patch_pair *c = &o->pair;

@@ -3,7 +3,8 @@
  * kind: contact are compared with on the same path.
  *
  * Rates are constant over a segment, its normal force and, where it is prescribed, its friction force linear; step k of
- * n has those of its end. Q before the first segment is 0. */
+ * n has those of its end. Q before the first segment is 0. The half-plane and the brush cut a step into as many as they
+ * need (patch/cut.h). */
 #ifndef TR_STUDY_INSIDE_H
 #define TR_STUDY_INSIDE_H
 

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* The path of a contact from a CSV file, as `path: FILE.csv` names it. Columns: u_slide_m, u_roll_m, since the start of
  * the path, and the normal force P_N_per_m (spheres: P_N); time_s, since the start, if a law depends on the rate. Each
- * row is the end of one step. The path starts at u = 0, time 0, under the force of the first row: so the contact.csv of
- * a run is a path, and gives the same run. Where there is a column `law`, only the rows with that of the first count. */
+ * row is the end of a piece of the path that is taken to be straight. The path starts at u = 0, time 0, under the force
+ * of the first row: so the contact.csv of a run is a path, and gives the same run, but that a law that creeps takes a
+ * row which rolls further than an element (a/100) in shorter steps. Where there is a column `law`, only the rows with
+ * that of the first count. */
 #ifndef TR_STUDY_PATH_H
 #define TR_STUDY_PATH_H
 

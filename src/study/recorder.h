@@ -8,19 +8,24 @@
  * two rows that differ by more are neighbouring steps.
  *
  * Q is among them so that a law can be replayed: sliding over millimetres leaves the range of u_slide blind to the
- * micrometres of a spring that turns back, and Q is not. In a replay a stretch between two rows is one step. Where
+ * micrometres of a spring that turns back, and Q is not. In a replay a stretch between two rows is straight. Where
  * coulomb-spring sticks it adds no error; where it slips it forgets that of before, and Q and mu P have moved by their
- * tolerance at most: |Q - recorded| <= 2/500 (range of Q + mu max P), which does not grow with the number of rows. Laws
- * that creep are of first order in the rows as they are in the steps.
+ * tolerance at most: |Q - recorded| <= 2/500 (range of Q + mu max P), which does not grow with the number of rows. A
+ * row may roll by many widths of the contact, so a replay cuts it (study/contact.h). What is left out is how the path
+ * bent within a row, by no more than 2/500 of the range of each. Where a row rolls far, that may be much of the sliding
+ * in it; but Q of the run's law is nearly constant there, so only a law with another memory of the way can tell the
+ * difference.
  *
  * time_s counts from a step before the first row: a row is the end of a step, in the first of which nothing moves.
  *
- * paths.csv, with output.path_rows: N: ALL contacts of disks and of walls (a = -1-w) at N instants evenly spread from start to
- * end, in the order of time; du_slide and du_roll are sums over the steps since the row before of this contact, or since it
- * touched. The sums make the end points of the path exact; the way between two rows is not kept. P, Q and the whole normal force f_n are those of the
- * instant; P is what the friction law goes by (core/paths.h). A contact that opens and touches again is another life, with a number of its own; one that lives between two
- * instants has a number but no row, and a note counts them. What a contact does after its last row is not there. branch: from
- * the centre of a (of a wall: from the contact) to that of b, so that sum (f_n n - Q t)_i branch_j is area times stress. */
+ * paths.csv, with output.path_rows: N: ALL contacts of disks and of walls (a = -1-w) at N instants evenly spread from
+ * start to end, in the order of time; du_slide and du_roll are sums over the steps since the row before of this
+ * contact, or since it touched. The sums make the end points of the path exact; the way between two rows is not kept.
+ * P, Q and the whole normal force f_n are those of the instant; P is what the friction law goes by (core/paths.h). A
+ * contact that opens and touches again is another life, with a number of its own; one that lives between two instants
+ * has a number but no row, and a note counts them. What a contact does after its last row is not there. branch: from
+ * the centre of a (of a wall: from the contact) to that of b, so that sum (f_n n - Q t)_i branch_j is area times
+ * stress. */
 #ifndef TR_RECORDER_H
 #define TR_RECORDER_H
 
@@ -49,8 +54,8 @@ typedef struct tr_recorder {
     } item[TR_MAX_PICKS];
 } tr_recorder;
 
-/* total: steps of the run, for path_rows. most: what most-mobilised stands for; a == b: there is none. prefix: of the names of the files. The recorder must not
- * move until it is closed. */
+/* total: steps of the run, for path_rows. most: what most-mobilised stands for; a == b: there is none. prefix: of the
+ * names of the files. The recorder must not move until it is closed. */
 bool tr_recorder_open(tr_recorder *r, const tr_scene *scene, tr_scene_pick most, tr_world *world, const char *dir,
                       const char *prefix, int64_t total, bool resume, tr_run_report *report, tr_status *st);
 /* After it, where resume says that the files are to go on. */

@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "laws/law.h"
+#include "patch/cut.h"
 #include "study/contact.h"
 #include "study/run_internal.h"
 #include <math.h>
@@ -89,13 +90,13 @@ static bool choose_laws(tr_replay *r, int elements, tr_status *st) {
 /* Steps from row `from` (NULL: the contact forms) to row `to`. */
 static int steps_of(const tr_replay *r, const tr_replay_row *from, const tr_replay_row *to, int elements) {
     double R = tr_law_R_star(to->R1, to->R2), d = tr_law_depth(r->depth, to->R1, to->R2);
-    double a = tr_law_width(TR_SHAPE_DISK, to->P, R, r->E_star), h = 2 * a / elements;
+    double a = tr_law_width(TR_SHAPE_DISK, to->P, R, r->E_star);
     double before = from ? tr_law_width(TR_SHAPE_DISK, from->P, R, r->E_star) : 0;
     if (!(to->P > 0)) return 1;
     double slip = r->mu * 2 * to->P / (M_PI * r->E_star) * (log(2 * d / a) + 0.5);
-    double steps = fmax(fabs(to->roll) / h, 10 * fmin(fabs(to->slide) / slip, 2)); /* beyond 2 slip all of it slips */
-    if (before > 0) steps = fmax(steps, fabs(a - before) / h);
-    return (int)ceil(fmin(fmax(steps, 1), 1000));
+    int slides = (int)ceil(10 * fmin(fabs(to->slide) / slip, 2)); /* beyond 2 slip all of it slips */
+    int steps = tr_patch_pieces(before > 0 ? before : a, a, elements, to->roll);
+    return steps > slides ? steps : slides;
 }
 
 static bool set_path(const tr_replay *r, const tr_replay_life *life, int elements, tr_scene *s, tr_status *st) {

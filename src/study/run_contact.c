@@ -112,6 +112,7 @@ static bool plot(const drive *d, const tr_run_options *options, tr_run_report *r
 static void report_contact(const drive *d, tr_run_report *r) {
     bool sphere = d->scene->shape == TR_SHAPE_SPHERE;
     tr_run_say(r, "segments, steps", "%d, %lld", d->scene->n_segments, (long long)d->total);
+    tr_run_say_rows(d->scene, r);
     tr_run_say(r, "E_star, R_star", "%.6g Pa, %.6g m", d->scene->pair.E_star, d->scene->pair.R_star);
     for (int i = 0; i < d->scene->n_laws && i < 16; i++) {
         char label[24];
@@ -160,6 +161,18 @@ bool tr_run_with_path(const tr_scene *scene, tr_scene *played, tr_status *st) {
 
 void tr_run_drop_path(tr_scene *played) {
     if (played->path_file) free(played->path);
+}
+
+void tr_run_say_rows(const tr_scene *played, tr_run_report *report) {
+    double roll = 0, slide = 0;
+    if (!played->path_file) return;
+    for (int i = 0; i < played->n_segments; i++) {
+        const tr_scene_segment *g = &played->path[i];
+        double a = tr_law_width(played->shape, g->force, played->pair.R_star, played->pair.E_star);
+        if (a > 0) roll = fmax(roll, fabs(g->roll) / a), slide = fmax(slide, fabs(g->slide));
+    }
+    tr_run_say(report, "rows of the path", "straight between two; the longest rolls %.3g a, slides %.3g m%s", roll,
+               slide, roll > 1 ? "; how the path bent in a row is not known" : "");
 }
 
 bool tr_run_contact(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st) {

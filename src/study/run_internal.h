@@ -26,6 +26,8 @@ char *tr_run_check_path(const tr_scene *scene, tr_status *st); /* reads the path
 /* The scene with its path from the file, if it is in one. Free with tr_run_drop_path. */
 bool tr_run_with_path(const tr_scene *scene, tr_scene *played, tr_status *st);
 void tr_run_drop_path(tr_scene *played);
+/* What the rows of a file leave out. */
+void tr_run_say_rows(const tr_scene *played, tr_run_report *report);
 
 /* One row of contact.csv. */
 void tr_run_contact_row(tr_row *row, const tr_contact_state *s);

@@ -144,19 +144,6 @@ static bool close_files(show *s, tr_status *st) {
     return false;
 }
 
-/* The transient of rolling wants steps of an element or less. */
-static void note_coarse(const show *s, tr_run_report *report) {
-    for (int i = 0; i < s->scene->n_segments && s->scene->patch.solver <= TR_BRUSH && !s->scene->path_file; i++) {
-        const tr_scene_segment *g = &s->scene->path[i];
-        double h = 2 * tr_patch_a(&s->pair, g->force) / s->scene->patch.elements,
-               elements = fabs(g->roll) / g->steps / h;
-        if (!(g->force > 0) || elements < 1.5) continue;
-        tr_run_note(report, "path.%d rolls %.1f elements a step; its transient wants one at most: steps: %.0f", i,
-                    elements, ceil(fabs(g->roll) / h));
-        return;
-    }
-}
-
 static bool plot(const show *s, tr_run_report *report, tr_status *st) {
     if (!s->scene->output.curves) return true;
     if (!tr_plot_available())
@@ -180,13 +167,13 @@ static bool run(show *s, tr_run_report *report, tr_status *st) {
               play(s, false, st);
     if (!close_files(s, st) || !ok) return false;
     tr_timing timing = {tr_run_clock() - started, (double)s->total / (tr_run_clock() - playing)};
-    note_coarse(s, report);
     if (!plot(s, report, st)) return false;
     char *text = tr_summary_patch(s->scene, s->total, &s->result, &timing, st);
     ok = text && tr_file_write(s->options->dir, "summary.json", text, st);
     free(text);
     tr_run_say(report, "solver, elements", "%s, %d", solver_name[want->solver], want->elements);
     tr_run_say(report, "segments, steps", "%d, %lld", s->scene->n_segments, (long long)s->total);
+    tr_run_say_rows(s->scene, report);
     tr_run_say(report, "at the end", "Q = %.6g N/m, %.4g of its bound; slid %.6g m", s->result.Q_end, s->result.q_end,
                s->result.u_slide_end);
     return ok;

@@ -71,8 +71,9 @@ static void totals(void **state) {
         assert_close(A.state[29].u_roll, sqrt(4e4 * 0.0075 / (M_PI * A.scene.pair.E_star)), 1e-13, 0);
         assert_true(A.state[34].P == 0 && A.state[34].Q == 0 && A.state[34].a == 0);
         drive(&B, solvers[k],
-              "[{force: 1 kN/m, slide: 0.002 um, steps: 1}, {force: 10 kN/m, slide: 0.018 um, steps: 9}]");
-        for (int i = 0; i < 10; i++) assert_close(A.state[35 + i].Q, B.state[i].Q, 1e-9, 0); /* as if new */
+              "[{force: 10 kN/m, steps: 1}, {force: 0, steps: 1}, {force: 1 kN/m, slide: 0.002 um, steps: 1},"
+              " {force: 10 kN/m, slide: 0.018 um, steps: 9}]");
+        for (int i = 0; i < 10; i++) assert_close(A.state[35 + i].Q, B.state[2 + i].Q, 1e-9, 0); /* as if new */
         end(&A), end(&B);
     }
 }

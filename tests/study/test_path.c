@@ -14,7 +14,8 @@
     "laws: [{friction: dahlberg-alfredsson, mu: 0.3, k_t: 1 GPa, rolling: star-displacement-damping, damping: yes}]\n"
 
 enum { N = 5 };
-static const double slide[N] = {0.1, 0.3, 0.2, 0.2, -0.1}, roll[N] = {1, 2, 5, -3, -3}, /* um */
+/* um; a row rolls by less than an element, so that it is one step */
+static const double slide[N] = {0.1, 0.3, 0.2, 0.2, -0.1}, roll[N] = {0.05, 0.1, 0.25, -0.15, -0.15},
     force[N] = {8, 9, 7, 0, 4}, at[N] = {1, 3, 4, 8, 9};                                /* kN/m, s */
 
 static char folder[] = "/tmp/trundle-path-XXXXXX", file[64];
