@@ -122,7 +122,8 @@ static json_t *energy_of(tr_shape shape, const tr_energy *e) {
 }
 
 char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, double unbalanced, const tr_strength *s,
-                         double mean_stress_2, const tr_energy *energy, const tr_timing *timing, tr_status *st) {
+                         double mean_stress_2, const tr_energy *energy, int64_t paths_bytes, const tr_timing *timing,
+                         tr_status *st) {
     json_t *o = begin(scene, "biaxial");
     json_object_set_new(o, "n_disks", json_integer(scene->sample.disks));
     add(o, "e0", e0);
@@ -161,6 +162,7 @@ char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, 
         add(o, "energy_residual_over_work", energy->residual / energy->work);
         json_object_set_new(o, "energy", energy_of(scene->shape, energy));
     }
+    if (paths_bytes) json_object_set_new(o, "paths_bytes", json_integer(paths_bytes));
     add_pipeline(o, &b->world);
     return finish(o, timing, st);
 }

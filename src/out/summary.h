@@ -49,11 +49,11 @@ typedef struct tr_check_result {
 
 tr_strength tr_summary_strength(const tr_series *series);
 
-/* Text of summary.json (free()); NULL: out of memory. energy may be NULL. All but "timing" is the same
- * from run to run of the same case. */
+/* Text of summary.json (free()); NULL: out of memory. energy may be NULL. paths_bytes: size of paths.csv, by which a
+ * replay knows that it is whole; 0: there is none. All but "timing" is the same from run to run of the same case. */
 char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, double unbalanced,
                          const tr_strength *strength, double mean_stress_2, const tr_energy *energy,
-                         const tr_timing *timing, tr_status *st);
+                         int64_t paths_bytes, const tr_timing *timing, tr_status *st);
 /* b: of the scene, and of scene->more; result: n of them. */
 char *tr_summary_bodies(const tr_scene *scene, const tr_bodies *const *b, const tr_check_result *result, int n,
                         const tr_timing *timing, tr_status *st);
@@ -69,7 +69,8 @@ typedef struct tr_patch_result {
 char *tr_summary_patch(const tr_scene *scene, int64_t steps, const tr_patch_result *result, const tr_timing *timing,
                        tr_status *st);
 
-/* A number of a summary.json by its key, or the way to it: "checks.0.measured". NaN where it says null. There is none: TR_BAD_CASE. */
+/* A number of a summary.json by its key, or the way to it: "checks.0.measured". NaN where it says null. There is none:
+ * TR_BAD_CASE. */
 bool tr_summary_read(const char *path, const char *name, double *value, tr_status *st);
 
 /* Which version of the program wrote it. false: there is no summary.json, or it is not whole. */

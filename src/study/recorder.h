@@ -41,7 +41,8 @@ typedef struct tr_recorder {
     int64_t steps; /* looked at */
     int64_t total; /* of the run */
     int rows, n_rows;
-    tr_file all; /* paths.csv */
+    tr_file all;   /* paths.csv */
+    int64_t bytes; /* of it; once it is closed */
     tr_world *world;
     double dt;
     tr_run_report *report;

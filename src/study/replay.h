@@ -28,6 +28,7 @@ enum { TR_REPLAY_EXACT, TR_REPLAY_OWN, TR_REPLAY_LAWS = 12 }; /* at most, with t
 typedef struct tr_replay_row {
     int life, instant; /* numbers in the file; then life: index of its tr_replay_life */
     int a, b;
+    long line; /* in the file */
     double time, R1, R2, slide, roll, P, Q, f_n, x, y;
 } tr_replay_row;
 
@@ -53,7 +54,7 @@ typedef struct tr_replay {
 } tr_replay;
 
 typedef struct tr_replay_options {
-    const char *run, *dir; /* a run, stopped or not; where the tables go */
+    const char *run, *dir; /* a finished run; where the tables go */
     int jobs, elements;
     int every; /* 1: all; K: lives 0, K, 2K, ... and no stress */
     const volatile sig_atomic_t *stop;
@@ -62,7 +63,8 @@ typedef struct tr_replay_options {
 } tr_replay_options;
 
 /* Reads case.yaml, history.csv and paths.csv; every disk-disk life but those left out by `every` is replayed. The
- * result does not depend on the number of jobs. TR_INTERRUPTED; TR_BAD_CASE: no such run. */
+ * result does not depend on the number of jobs. TR_INTERRUPTED; TR_BAD_CASE: no such run, one that is
+ * not finished, or a paths.csv that this run cannot have written. */
 bool tr_replay_run(tr_replay *r, const tr_replay_options *o, tr_run_report *report, tr_status *st);
 void tr_replay_free(tr_replay *r);
 

@@ -375,7 +375,7 @@ static bool summarise(test *t, double started, double updates_per_s, tr_status *
         tr_run_note(t->report, "no curves: gnuplot failed (%d) on plot.gp; run it there to see why", code);
     tr_timing timing = {tr_run_clock() - started, updates_per_s};
     char *text = tr_summary_biaxial(scene, &t->b, t->e0, t->unbalanced, &s, t->stress_2_sum / t->stress_n,
-                                    t->b.world.ledger ? &t->energy : NULL, &timing, st);
+                                    t->b.world.ledger ? &t->energy : NULL, t->out.recorder.bytes, &timing, st);
     if (!text) return false;
     report(t, &s, &timing);
     bool ok = tr_file_write(t->options->dir, "summary.json", text, st);

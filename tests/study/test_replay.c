@@ -311,6 +311,16 @@ static double cattaneo(double u, double Lambda) {
     return low;
 }
 
+/* summary.json says how long paths.csv is. */
+static void sign(const char *run) {
+    char command[400];
+    snprintf(
+        command, sizeof command,
+        "cd %s/%s && sed -i \"s/\\\"paths_bytes\\\": [0-9]*/\\\"paths_bytes\\\": $(wc -c <paths.csv)/\" summary.json",
+        folder, run);
+    assert_int_equal(system(command), 0);
+}
+
 /* Life 1 slides, life 2 slides the other way, life 3 rolls 40 a at the creepage xi, life 4 is of a wall, life 5 slides far. */
 static void closed_forms(void **state) {
     (void)state;
@@ -318,18 +328,19 @@ static void closed_forms(void **state) {
     const double Lambda = log(2 * d / a), slip = 2 * MU * P_0 / (M_PI * E_STAR) * (Lambda + 0.5), F0 = MU * a / R,
                  xi = 0.5 * F0;
     char path[100];
-    run_case(SHORT "3}\n", "made-up");
+    run_case(SHORT "40}\n", "made-up");
     snprintf(path, sizeof path, "%s/made-up/paths.csv", folder);
     FILE *f = fopen(path, "w");
     assert_non_null(f);
     for (int c = 0; c < N_COLUMNS; c++) fprintf(f, "%s%c", columns[c], c + 1 < N_COLUMNS ? ',' : '\n');
     const double slide[] = {0.8 * slip / (ROWS - 1), -0.8 * slip / (ROWS - 1), xi * SPIN * a / (ROWS - 1), 0, slip};
     for (int i = 0; i < ROWS; i++)
-        for (int life = 1; life <= 5; life++)
+        for (int k = 0, order[] = {1, 2, 3, 5, 4}, life; k < 5 && (life = order[k]); k++) /* the wall last */
             fprintf(f, "%d,%d,%d,9,%.17g,%.17g,%.17g,%.17g,%.17g,0,%s\n", i, life, life == 4 ? -1 : life, R_1, R_2,
                     i ? slide[life - 1] : 0, i && life == 3 ? -SPIN * a / (ROWS - 1) : 0, P_0,
                     life == 1 ? "900,0,1" : "300,1,0"); /* a dashpot pushes along y */
     assert_int_equal(fclose(f), 0);
+    sign("made-up");
     tr_replay r = replay("made-up", "made-up", 1, ELEMENTS, 1);
     assert_int_equal(r.n_lives, 5);
     assert_false(r.life[3].done);
@@ -493,12 +504,77 @@ static void what_cannot_be_replayed(void **state) {
     assert_int_equal(fails("nowhere", NULL, "case.yaml"), TR_FILE);
     run_case(BIAXIAL(CREEP) "output: {frames: 0, curves: no}\n", "none");
     assert_int_equal(fails("none", NULL, "output.path_rows"), TR_BAD_CASE);
-    char path[100];
-    snprintf(path, sizeof path, "%s/made-up/paths.csv", folder);
-    FILE *f = fopen(path, "a");
-    fputs("39,1,1,9,0.001,0.003,0,0,-5,0,0,1,0\n", f);
-    fclose(f);
-    assert_int_equal(fails("made-up", NULL, "paths.csv:202: error: no such contact"), TR_BAD_CASE);
+}
+
+/* Of folder/made-up a copy, changed by a command. */
+static void change(const char *command) {
+    char text[600];
+    snprintf(text, sizeof text, "cd %s && rm -rf bad && cp -r made-up bad && cd bad && %s", folder, command);
+    assert_int_equal(system(text), 0);
+}
+
+static void an_unfinished_run_is_refused(void **state) {
+    (void)state;
+    change("rm summary.json");
+    assert_int_equal(fails("bad", NULL, "bad has no summary.json: the run is not finished"), TR_BAD_CASE);
+}
+
+/* In the middle of a row, at the end of one, at the end of an instant; and a summary that knows nothing of them. */
+static void paths_that_were_cut_are_refused(void **state) {
+    (void)state;
+    change("head -c -5 paths.csv >p && mv p paths.csv");
+    assert_int_equal(fails("bad", NULL, "paths.csv:201: error: "), TR_BAD_CASE);
+    change("head -n 199 paths.csv >p && mv p paths.csv");
+    assert_int_equal(fails("bad", NULL, "paths.csv:199: error: the file ends here with "), TR_BAD_CASE);
+    change("head -n 196 paths.csv >p && mv p paths.csv");
+    assert_int_equal(fails("bad", NULL, "paths.csv:196: error: the file ends here with "), TR_BAD_CASE);
+    change("sed -i /paths_bytes/d summary.json");
+    assert_int_equal(fails("bad", NULL, "has no number `paths_bytes`"), TR_BAD_CASE);
+}
+
+/* Row by row, where the size of the file is what the run says. Line 2 is the first row, five to an instant; line 7:
+ * instant 1, life 1 of the disks 1 and 9. */
+static void rows_that_no_run_writes_are_refused_with_their_line(void **state) {
+    (void)state;
+    static const char *const rows[][2] = {
+        {"sed -i '7s/,1,1,9,/,1,9,9,/' paths.csv", ":7: error: disk 9 touches itself"},
+        {"sed -i '7s/,1,1,9,/,1,1,30,/' paths.csv",
+         ":7: error: no such contact: a = 1, b = 30; case.yaml has the disks 0 to 29"},
+        {"sed -i '7s/,1,1,9,/,1,1,-1,/' paths.csv", ":7: error: no such contact: a = 1, b = -1"},
+        {"sed -i '7s/,1,1,9,/,1,77,9,/' paths.csv", ":7: error: no such contact: a = 77"},
+        {"sed -i '7s/,1,1,9,/,1,12,9,/' paths.csv", ":7: error: a = 12 is above b = 9"},
+        {"sed -i '11s/,4,-1,9,/,4,-5,9,/' paths.csv", ":11: error: no such contact: a = -5"},
+        {"sed -i '7s/,1,1,9,/,1,1,8.5,/' paths.csv", ":7: error: life, a and b are whole"},
+        {"sed -i 7p paths.csv", ":8: error: the contact of 1 and 9 is there twice"},
+        {"sed -i '9{h;p;s/.*//};11{p;x}' paths.csv && sed -i '/^$/d' paths.csv",
+         ":12: error: the contact of 3 and 9 is "},
+        {"sed -i '8{h;d};9G' paths.csv", ":9: error: the contact of 2 and 9 is out of order"},
+        {"sed -i '20s/^[0-9]*/1/' paths.csv", ":20: error: time_s falls"},
+        {"sed -i '2,6s/^0/-1/' paths.csv", ":2: error: time_s is -1: a run starts at 0"},
+        {"sed -i '7s/,300,0,/,-300,0,/' paths.csv", ":7: error: no such contact: P_N_per_m < 0"},
+        {"sed -i '7s/,300,0,/,nan,0,/' paths.csv", ":7: error: P_N_per_m is \"nan\""},
+        {"sed -i '7s/,300,0,/,inf,0,/' paths.csv", ":7: error: P_N_per_m is inf"},
+        {"sed -i '7s/,0,300,0,/,nan,300,0,/' paths.csv", ":7: error: du_roll_m is \"nan\""},
+        {"sed -i '7s/,300,0,.*/,300,0,900,0,0/' paths.csv", ":7: error: no such contact: its branch"},
+        {"sed -i '7s/$/,1/' paths.csv", ":7: error: 14 cells, but the header line has 13"},
+        {"sed -i '7s/,[^,]*$//' paths.csv", ":7: error: 12 cells"},
+        {"sed -i '1s/life/lif/' paths.csv", ":1: error: no column life"},
+        {"sed -i '1s/,b,/,a,/' paths.csv", ":1: error: column a is there twice"},
+        {"sed -i 12d paths.csv", ":16: error: life 1 was last there in line 7, not at the instant before"},
+        {"sed -i '7s/,1,1,9,/,1,0,9,/' paths.csv", ":7: error: life 1 is of 0 and 9 here, of 1 and 9 in line 2"},
+        {"sed -i 's/disks: 30/disks: 9/' case.yaml",
+         ":2: error: no such contact: a = 1, b = 9; case.yaml has the disks 0 to 8"},
+        {"sed -i 's/path_rows: 40/path_rows: 7/' case.yaml",
+         ":201: error: 40 instants; case.yaml has output.path_rows: 7"},
+    };
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        change(rows[k][0]);
+        sign("bad");
+        if (fails("bad", NULL, rows[k][1]) != TR_BAD_CASE) fail_msg("%s", rows[k][1]);
+    }
+    change("true");
+    tr_replay r = replay("bad", "bad", 1, 6, 1); /* unchanged, it is taken */
+    tr_replay_free(&r);
 }
 
 static int open_folder(void **state) {
@@ -524,6 +600,9 @@ int main(void) {
                                        cmocka_unit_test(stress_is_that_of_the_boundary),
                                        cmocka_unit_test(the_same_with_any_number_of_jobs),
                                        cmocka_unit_test(a_sample),
-                                       cmocka_unit_test(what_cannot_be_replayed)};
+                                       cmocka_unit_test(what_cannot_be_replayed),
+                                       cmocka_unit_test(an_unfinished_run_is_refused),
+                                       cmocka_unit_test(paths_that_were_cut_are_refused),
+                                       cmocka_unit_test(rows_that_no_run_writes_are_refused_with_their_line)};
     return cmocka_run_group_tests_name("replay", tests, open_folder, close_folder);
 }

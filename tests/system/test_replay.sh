@@ -40,6 +40,21 @@ run small.yaml -o spring --force --set output.path_rows=5
 check 'laws without E_star: 2' replay_gives 2 'E_star' spring
 check 'no table of a replay that failed' equals "$(listing spring | grep replay)" ''
 
+# bad_paths CHANGE TEXT: a copy of the run, changed, is refused with that text and gets no table
+bad_paths() {
+    rm -rf bad && cp -r run bad && rm -f bad/replay*.csv && (cd bad && eval "$1") && replay_gives 2 "$2" bad &&
+        equals "$(listing bad | grep replay)" ''
+}
+lines=$(grep -c '' run/paths.csv)
+check 'an unfinished run: 2' bad_paths 'rm summary.json' 'bad has no summary.json: the run is not finished'
+check 'paths.csv cut at the end of a line: 2, and where' \
+    bad_paths 'sed -i "\$d" paths.csv' "bad/paths.csv:$((lines - 1)): error: the file ends here with "
+check 'a row that is there twice: 2, and where' bad_paths 'sed -i 5p paths.csv' 'bad/paths.csv:6: error: the contact of '
+check 'a disk that touches itself: 2, and where' bad_paths \
+    'awk -F, -v OFS=, "NR == 5 {\$3 = \$4} 1" paths.csv >p && mv p paths.csv' 'bad/paths.csv:5: error: disk '
+check 'a disk that is not there: 2, and where' bad_paths \
+    'awk -F, -v OFS=, "NR == 5 {\$4 = 4000} 1" paths.csv >p && mv p paths.csv' 'bad/paths.csv:5: error: no such contact: '
+
 stopped() {
     "$TRUNDLE" replay run -n 400 -j 2 -o stopped >stdout 2>stderr </dev/null &
     sleep 0.5
