@@ -22,10 +22,6 @@
  *
  * The step has a second part where w reaches 1: full slip, which holds while A >= B; or 0, slid against: the rest of the
  * step begins at Q = 0 with the other sign. Without sliding q only decays. Without rolling Q is the capped spring.
- *
- * P that fell: |Q| > M is no state of a law with a cap. Q is cut to the cap of now, then the step begins. The backward
- * Euler step caps once, after the step: from Q = 1.5 M with A = -0.6 it goes to 0.9 M, this one to 0.4 M. Where the cap
- * falls along a path in n steps Q is above it by 1/n of the fall, so the difference vanishes with first order.
  */
 #include "laws/dahlberg_exact.h"
 

@@ -16,12 +16,14 @@
  * Inside the cap and stable for any step. Q of the step before enters as it was, even above the cap of now: the step
  * does the only capping.
  *
- * step: exact, the solution of the differential equation over the step (dahlberg_exact.c), whatever its length: what the
- * other is measured against. Logarithms and an iteration, so for kind: contact only.
+ * step: exact, the solution of the differential equation over the step, whatever its length, with P linear over it: what
+ * the other is measured against. In closed form where P stands still (dahlberg_exact.c), to 1e-12 of mu P where it changes
+ * (dahlberg_load.c). Iterations, so for kind: contact only. Q is cut only where it is at the cap.
  *
  * differs: eq. 11 as printed has no signs (wrong where Q < 0 or rolling turns back) and is 0/0 at du_disp = 0.
  *
- * History: Q [N/m]. du_roll = 0: coulomb-spring, bit for bit (exact: while |Q| <= mu P of now). P -> 0: a = 0 and Q = 0.
+ * History: Q [N/m]; of exact also P at the end of the step before. du_roll = 0: coulomb-spring, bit for bit. P -> 0:
+ * a = 0 and Q = 0.
  * Wall: R = R2, material rolls with (Vt - R2 w)/2. Energy Q^2/2 k_t; creep dissipates |Q| F |du_roll|.
  */
 #include "base/vector.h"
@@ -57,17 +59,17 @@ static creep creep_of(const par *p, double dt) {
     return (creep){p->mu * (p->k_t * dt) * sqrt(4 / (M_PI * p->E_star)), p->creep_roll ? 1 : 0};
 }
 
-static inline double creep_at(creep c, const tr_tile *tile, int i) {
+static inline double creep_at(creep c, const tr_tile *tile, int i, double P) {
     double weight = 0.5 + c.wang * (tile->g1[i] - 0.5);
     double v_roll = (1 - weight) * tile->s1[i] + weight * tile->s2[i];
-    return c.factor * sqrt(tile->f_n[i] / (tile->g1[i] * tile->R2[i])) * fabs(v_roll);
+    return c.factor * sqrt(P / (tile->g1[i] * tile->R2[i])) * fabs(v_roll);
 }
 
 TR_VECTOR static void backward_euler(tr_tile *restrict tile, const par *restrict p, double *restrict Q) {
     const double mu = p->mu, k_dt = p->k_t * tile->dt;
     const creep c = creep_of(p, tile->dt);
     for (int i = 0; i < tile->n; i++) {
-        double M = mu * tile->f_n[i], C = creep_at(c, tile, i);
+        double M = mu * tile->f_n[i], C = creep_at(c, tile, i, tile->f_n[i]);
         double A = Q[i] + k_dt * tile->v_s[i], room = M + C - fabs(A);
         double inside = room > 0 ? room : 0, below = 2 * M + C + sqrt(C * C + 4 * M * inside);
         double w = 2 * fabs(A) / (below > 0 ? below : 1), partial = C > 0 ? M * (w * (2 - w)) : fabs(A);
@@ -78,16 +80,22 @@ TR_VECTOR static void backward_euler(tr_tile *restrict tile, const par *restrict
     }
 }
 
-static void exact(tr_tile *tile, const par *p, double *Q) {
+static void exact(tr_tile *tile, const par *p, double *Q, double *P_before) {
     const creep c = creep_of(p, tile->dt);
-    for (int i = 0; i < tile->n; i++)
-        tile->f_t[i] = Q[i] =
-            tr_dahlberg_exact(Q[i], p->mu * tile->f_n[i], p->k_t * tile->dt * tile->v_s[i], creep_at(c, tile, i));
+    for (int i = 0; i < tile->n; i++) {
+        double P0 = P_before[i], P1 = tile->f_n[i], A = p->k_t * tile->dt * tile->v_s[i];
+        tile->f_t[i] = Q[i] = tr_dahlberg_load(Q[i], p->mu * P0, p->mu * P1, A, creep_at(c, tile, i, fmax(P0, P1)));
+        P_before[i] = P1;
+    }
 }
 
 static void step(tr_tile *tile, const tr_law_data *data) {
     const par *p = data->par;
-    (p->step ? exact : backward_euler)(tile, p, data->hist[0] + tile->first);
+    double *Q = data->hist[0] + tile->first;
+    if (p->step)
+        exact(tile, p, Q, data->hist[1] + tile->first);
+    else
+        backward_euler(tile, p, Q);
 }
 
 TR_VECTOR static void state(const tr_tile *restrict tile, const tr_law_data *restrict data, double *restrict energy,
@@ -105,7 +113,7 @@ static void crept(const tr_tile *tile, const tr_law_data *data, double *u) {
     const creep c = creep_of(p, tile->dt);
     for (int i = 0; i < tile->n; i++) {
         double P = tile->f_n[i], q = P > 0 ? fmin(1, fabs(tile->f_t[i]) / (p->mu * P)) : 0;
-        u[i] = copysign((1 - sqrt(1 - q)) * creep_at(c, tile, i) / p->k_t, tile->f_t[i]);
+        u[i] = copysign((1 - sqrt(1 - q)) * creep_at(c, tile, i, P) / p->k_t, tile->f_t[i]);
     }
 }
 
@@ -121,11 +129,11 @@ const tr_law tr_friction_dahlberg_alfredsson = {
     .source = "[Dahlberg2009] [Kuhn2014 eq. 11] [Carter1926]",
     .formula = "dQ = k_t (Vs dt - sgn(Q) F(|Q|/(mu P)) |du_roll|), |Q| <= mu P, P = f_n\n"
                "F(q) = (mu a/R) (1 - sqrt(1 - q)), a = sqrt(4 P R/(pi E_star)), 1/R = 1/R1 + 1/R2\n"
-               "step: backward-euler in closed form, or the exact solution at constant P and rates",
+               "step: backward-euler in closed form, or the exact solution, P linear and rates constant over the step",
     .differs = "Eq. 11 is printed without signs (wrong where Q < 0 or rolling turns back) and is 0/0 where nothing "
                "slides.",
     .claims = TR_RATE_INDEPENDENT | TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
-    .n_hist = 1,
+    .n_hist = 1, /* and one more for exact */
     .step = step,
     .state = state,
     .creep = crept,

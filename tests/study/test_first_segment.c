@@ -124,8 +124,8 @@ static void same(int laws, int n) {
 
 static void every_law(void **state) {
     (void)state;
-    static const char *const head[] = {DISKS EVERY OF_DISKS, SPHERES EVERY},
-                             *const load[] = {"force: 500", "overlap: 1 um"};
+    static const char *const head[] = {DISKS EVERY OF_DISKS, SPHERES EVERY}, *const load[] = {"force: 500",
+                                                                                              "overlap: 1 um"};
     for (int shape = 0; shape < 2; shape++)
         for (int how = 0; how < 2; how++)
             for (int steps = 1; steps < 50; steps += 16) {
@@ -188,8 +188,8 @@ static void inside(const char *solver, const char *path, int n, tr_contact_state
 
 static void inside_of_a_contact(void **state) {
     (void)state;
-    static const char *const solver[] = {"half-plane", "brush"},
-                             *const first[] = {"slide: 0.2 um, roll: 0.3*a", "tangential: 1 kN/m, roll: 0.3*a"};
+    static const char *const solver[] = {"half-plane", "brush"}, *const first[] = {"slide: 0.2 um, roll: 0.3*a",
+                                                                                   "tangential: 1 kN/m, roll: 0.3*a"};
     for (int k = 0; k < 2; k++)
         for (int by_Q = 0; by_Q < 2; by_Q++)
             for (int steps = 1; steps < 20; steps += 6) {
@@ -221,8 +221,10 @@ static int close_folder(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(slides_from_its_own_force), cmocka_unit_test(rolls_from_its_own_force),
-        cmocka_unit_test(every_law),                 cmocka_unit_test(first_row_of_a_file),
+        cmocka_unit_test(slides_from_its_own_force),
+        cmocka_unit_test(rolls_from_its_own_force),
+        cmocka_unit_test(every_law),
+        cmocka_unit_test(first_row_of_a_file),
         cmocka_unit_test(inside_of_a_contact),
     };
     return cmocka_run_group_tests_name("first_segment", tests, open_folder, close_folder);
