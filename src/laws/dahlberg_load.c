@@ -5,20 +5,20 @@
  *   Q' = A - sgn(q) C sqrt(M/M_most) w,   w = 1 - sqrt(1 - |q|),   |Q| <= M
  *
  * Q is cut only where it is at the cap: full slip to the side s lasts while s A - C sqrt(M/M_most) >= M'. There is no
- * closed form. In q the change of M is one more drive, M q' = A - q M' - sgn(q) C sqrt(M/M_most) w. A substep takes M in
- * its middle and q M' at the mean of q before and after,
+ * closed form. In q the change of M is one more drive, M q' = A - q M' - sgn(q) C sqrt(M/M_most) w. A substep takes M
+ * in its middle and q M' at the mean of q before and after,
  *
  *   q_1 = Phi(q_0; (A - M' (q_0 + q_1)/2)/M, C/sqrt(M M_most)),
  *
- * Phi the closed form at constant P (dahlberg_exact.h), which knows full slip, its end and the way through Q = 0. q_1 is
- * the one root, for Phi rises with its drive, at most as fast. Without rolling that is Q_1 = Q_0 + A, cut to M_1: the
+ * Phi the closed form at constant P (dahlberg_exact.h), which knows full slip, its end and the way through Q = 0. q_1
+ * is the one root, for Phi rises with its drive, at most as fast. Without rolling that is Q_1 = Q_0 + A, cut to M_1: the
  * spring.
  *
  * Substeps are symmetric in time, so their error has even powers of their length only: Romberg's table of 1, 2, 4, ...
  * substeps, and halves where it does not settle to 1e-13 of M_most. Pieces end where full slip ends, at
- * s A - C sqrt(M/M_most) = M'; around what else is not smooth they become short. Full slip at the end of a piece is sure
- * only where it came before the last substep. Errors of Q do not grow on the way. Of a step that rolls very far only the
- * end counts: what was before fades as exp(-C/2) or faster. */
+ * s A - C sqrt(M/M_most) = M'; around what else is not smooth they become short. Full slip at the end of a piece is
+ * sure only where it came before the last substep. Errors of Q do not grow on the way. Of a step that rolls very far
+ * only the end counts: what was before fades as exp(-C/2) or faster. */
 #include "laws/dahlberg_exact.h"
 
 #include <float.h>
