@@ -11,8 +11,8 @@
  *   q_1 = Phi(q_0; (A - M' (q_0 + q_1)/2)/M, C/sqrt(M M_most)),
  *
  * Phi the closed form at constant P (dahlberg_exact.h), which knows full slip, its end and the way through Q = 0. q_1
- * is the one root, for Phi rises with its drive, at most as fast. Without rolling that is Q_1 = Q_0 + A, cut to M_1: the
- * spring.
+ * is the one root, for Phi rises with its drive, at most as fast. Without rolling that is Q_1 = Q_0 + A, cut to M_1:
+ * the spring.
  *
  * Substeps are symmetric in time, so their error has even powers of their length only: Romberg's table of 1, 2, 4, ...
  * substeps, and halves where it does not settle to 1e-13 of M_most. Pieces end where full slip ends, at

@@ -145,8 +145,8 @@ struct tr_law {
     const char *formula;  /* as `trundle laws NAME` prints it; lines end in \n but the last */
     const char *differs;  /* what differs from the source as printed; NULL: nothing */
     unsigned claims;      /* tr_claims */
-    /* Doubles of history per contact, all zero when a contact forms; less what driver_choice keeps more, for which kind:
-     * contact has room, up to TR_MAX_HIST. */
+    /* Doubles of history per contact, all zero when a contact forms; without those that only table.driver_choice keeps:
+     * kind: contact has room for TR_MAX_HIST. */
     int n_hist;
     int merged;           /* 1 + number of the history that counts what did not fit into the others; 0: all fits */
     int n_pair;           /* pair constants per contact */
