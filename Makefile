@@ -25,7 +25,7 @@ LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o)
 CLI_OBJ  := $(CLI_SRC:%=$(BUILD)/%.o)
 TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all biaxial figures wang kuhn kuhn-film bands replay features bench bench-peers demos gallery verify test test-slurm install asan lint format clean help packages-% build-all run-demos run-tests
+.PHONY: all biaxial figures wang kuhn kuhn-film bands replay features bench bench-peers demos gallery verify test mutate test-slurm install asan lint format clean help packages-% build-all run-demos run-tests
 .SECONDARY:
 
 all: packages-build
@@ -109,6 +109,11 @@ verify: packages-build
 test: packages-test
 	@$(MAKE) --no-print-directory run-tests
 
+# Does a change of the code go unseen? Some 150 of them one at a time, in a copy of the tree; half an hour.
+mutate: packages-test
+	@$(MAKE) --no-print-directory build-all
+	tests/mutate/mutate.sh
+
 # The job array of cases/cluster/ on a Slurm of one node that the test brings up; needs root.
 test-slurm: packages-slurm
 	@$(MAKE) --no-print-directory build-all
@@ -150,6 +155,7 @@ help:
 	@echo 'make demos     build, and run all cases but the biaxial tests into out/demos/, those that have changed'
 	@echo 'make gallery   make demos, and one page of them to show in a lecture: out/gallery/index.html'
 	@echo 'make verify    build, compare with answers from elsewhere, and draw error against run time: out/verify/; minutes'
+	@echo 'make mutate    make some 150 changes of signs and factors in a copy of the tree, and say which test or row of verify sees each; half an hour'
 	@echo 'make           install what is missing, build ./trundle'
 	@echo 'make install   PREFIX=$(PREFIX) DESTDIR=$(DESTDIR): trundle and the cases'
 	@echo 'make asan      the tests under the address and undefined-behaviour sanitizers'
