@@ -89,6 +89,22 @@ static bool energy_row(tr_verify *v, tr_pairs_tile *p, const char *quantity, con
     return tr_exact_row(v, quantity, "1", worst, 0, 1e-9, NAN, "rounding of sums that cancel; pieces keep 1e-12", st);
 }
 
+/* Pushed until all slips, Q is at the bound that the law tells, mu P. */
+static bool bound_row(tr_verify *v, tr_pairs_tile *p, tr_status *st) {
+    tr_lane energy, bound;
+    tr_law_data d = data_of(p);
+    double far[TR_PAIRS], worst = 0;
+    for (int i = 0; i < TR_PAIRS; i++) far[i] = 1;
+    slide(p, far, DT);
+    p->law[TR_FRICTION_SLOT]->state(&p->tile, &d, energy, bound);
+    for (int i = 0; i < TR_PAIRS; i++) {
+        double off = fabs(bound[i] / (MU * p->tile.f_elastic[i]) - 1), of_force = fabs(p->tile.f_t[i] / bound[i] - 1);
+        worst = fmax(worst, fmax(off, of_force));
+    }
+    return tr_exact_row(v, "full slip: the bound over mu P and Q over it, less 1", "1", worst, 0, 1e-14, NAN,
+                        "rounding", st);
+}
+
 bool tr_exact_bed_energy(tr_verify *v, tr_status *st) {
     static const double none[TR_PAIRS] = {0}, part = 0.6, back = 0.8; /* P1, P2 over P */
     tr_pairs_tile *p = tr_alloc(1, sizeof *p, st);
@@ -106,7 +122,7 @@ bool tr_exact_bed_energy(tr_verify *v, tr_status *st) {
     slide(p, none, 0), slide(p, u[0], DT);
     bool ok = energy_row(v, p, "pushed from rest, largest error over the energy", want[0], st);
     slide(p, u[1], DT);
-    ok = ok && energy_row(v, p, "turned back, the same", want[1], st);
+    ok = ok && energy_row(v, p, "turned back, the same", want[1], st) && bound_row(v, p, st);
     free(p);
     return ok;
 }
