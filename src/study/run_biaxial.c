@@ -390,7 +390,7 @@ char *tr_run_check_biaxial(const tr_scene *scene, tr_run_report *report, tr_stat
     if (b && tr_biaxial_init(b, scene, st)) {
         tr_warn_biaxial(b, report);
         summary = tr_summary_biaxial(scene, b, 0, 0, &(tr_strength){0}, 0, scene->output.energy ? &energy : NULL,
-                                     &(tr_timing){0}, st);
+                                     scene->output.path_rows, &(tr_timing){0}, st);
         tr_biaxial_free(b);
     }
     free(b);
