@@ -14,7 +14,9 @@
  * Dashpots alone: dt < 2/g. Where the tangential modes of w2 and of g are not the same one, their sum is cautious: of one
  * contact 0.618 of the exact bound or more.
  *
- * Stability is meant of a symmetric K: a rolling velocity that is not conjugate to its moments (wang-spring with another one than
+ * Stability is meant of a symmetric K. Friction of a contact that slides follows its normal force, and K is not symmetric: such
+ * networks may flutter in the exact equations, at any step, and the bound speaks of what the step adds; trundle verify sliding
+ * tells the one from the other. Likewise a rolling velocity that is not conjugate to its moments (wang-spring with another one than
  * wang) lets some packings grow at any step; trundle verify not-conjugate says how many.
  *
  * Never above the exact bound; equal to it on a chain, 0.7-0.9 of it in a packing. Gershgorin's circles, the usual

@@ -7,6 +7,8 @@
 const tr_verification tr_verify_stability[] = {
     {"stability", "time-step", "1000 random networks from 0.1 to 2 times the exact limit", "[Irons1971]",
      "core/timestep.c: m in the place of a contact's share m/z; `+ r2` for `- r2` in mixed", tr_stability_networks},
+    {"stability", "sliding", "networks with contacts that slide, which may flutter", "[Hoffmann2002]",
+     "laws/friction_coulomb_spring.c: f_elastic for f_n in the bound", tr_stability_sliding},
     {"stability", "not-conjugate", "networks with every rolling velocity, at a tenth of the bound",
      "energy, symmetric K", "laws/rolling_wang_spring.c: m2 = -R_eff T", tr_stability_not_conjugate},
     {"stability", "no-answer", "states that must end in a failure that says where", STATED,

@@ -8,6 +8,7 @@
 #include "verify/verify.h"
 
 bool tr_stability_networks(tr_verify *v, tr_status *st);
+bool tr_stability_sliding(tr_verify *v, tr_status *st);
 bool tr_stability_not_conjugate(tr_verify *v, tr_status *st);
 bool tr_stability_failures(tr_verify *v, tr_status *st);
 bool tr_stability_coefficients(tr_verify *v, tr_status *st);

@@ -7,8 +7,9 @@
 #include <stdio.h>
 #include <string.h>
 
-static const double LAP = 1e-5, TINY = 1e-11,
-                    SMALLEST = 1e-3; /* depth and way in a step, as shares of the smallest radius [m] */
+/* Depth, way of a disturbance in a step, and of rims that slide, as shares of the smallest radius [m]. Rims are fast enough that no
+ * disturbance turns sliding back, up to 1e3 of what it was. */
+static const double LAP = 1e-5, TINY = 1e-11, SLIDES = 1e-5, SMALLEST = 1e-3;
 
 static double among(tr_random *r, double low, double high) { /* evenly in the logarithm */
     return low * pow(high / low, tr_random_uniform(r));
@@ -55,15 +56,46 @@ static bool throw_disks(tr_network *net, tr_random *r, tr_status *st) {
 
 /* ---- the matrices, from the definitions of the velocities */
 
-static void add(tr_network *net, double X[TR_NETWORK_DOF][TR_NETWORK_DOF], double k, int ia, const double *ja, int ib,
-                const double *jb) {
-    double row[TR_NETWORK_DOF] = {0};
+/* The map of the motion of disks a and b to a velocity, per root of the masses. */
+typedef struct row {
+    double of[TR_NETWORK_DOF];
+} row;
+
+static row row_of(const tr_network *net, int a, const double *ja, int b, const double *jb) {
+    const double *inv = net->w.disks.inv;
+    row r = {{0}};
     for (int l = 0; l < 3; l++) {
-        if (ia >= 0) row[3 * ia + l] = ja[l] * sqrt(net->w.disks.inv[4 * ia + l]);
-        row[3 * ib + l] += jb[l] * sqrt(net->w.disks.inv[4 * ib + l]);
+        if (a >= 0) r.of[3 * a + l] = ja[l] * sqrt(inv[4 * a + l]);
+        r.of[3 * b + l] = jb[l] * sqrt(inv[4 * b + l]);
     }
+    return r;
+}
+
+/* A force along `pull` that follows `by`. */
+static void add(double X[TR_NETWORK_DOF][TR_NETWORK_DOF], double k, const row *pull, const row *by) {
     for (int i = 0; i < TR_NETWORK_DOF; i++)
-        for (int j = 0; j < TR_NETWORK_DOF; j++) X[i][j] += k * row[i] * row[j];
+        for (int j = 0; j < TR_NETWORK_DOF; j++) X[i][j] += k * pull->of[i] * by->of[j];
+}
+
+static int sign_of(double v) {
+    return (v > 1e-9) - (v < -1e-9);
+}
+
+static double rim_of(const tr_network *net, int a) {
+    return a < 0 ? -net->floor : net->rim[a];
+}
+
+/* Which way the friction spring and the rolling spring of a contact slide; 0: not. u: speeds of the rims, V_s = (u1 + u2) but for
+ * the overlap; at the floor Vt = -floor. */
+typedef struct slips {
+    int friction, rolling;
+} slips;
+
+static slips slips_of(const tr_network *net, int a, int b, double R1, double R2) {
+    double one = rim_of(net, a), two = net->rim[b], slide = one + two;
+    double along = net->conjugate ? (a < 0 ? 0.5 : (R1 - R2) / (2 * (R1 + R2))) : 0;
+    double roll = a < 0 ? -two : (R2 * one - R1 * two) / (R1 + R2); /* R_eff (w1 - w2) */
+    return (slips){sign_of(slide), sign_of(roll + along * slide)};
 }
 
 /* Vn = V21.n, Vs = V21.t + r1 w1 + r2 w2, V_r = R_eff (w1 - w2), for the conjugate law + (R1 - R2)/(2L) Vs. */
@@ -77,10 +109,16 @@ static void add_contact(tr_network *net, int a, int b, const double n[2], double
         roll[1][l] = along * slide[1][l] - (l == 2 ? R_eff : 0);
     }
     const double apart[2][3] = {{-n[0], -n[1], 0}, {n[0], n[1], 0}};
-    add(net, net->K, net->k_n, a, apart[0], b, apart[1]);
-    add(net, net->C, 2 * net->zeta * sqrt(net->k_n * m), a, apart[0], b, apart[1]);
-    add(net, net->K, net->k_t, a, slide[0], b, slide[1]);
-    add(net, net->K, net->k_r, a, roll[0], b, roll[1]);
+    const slips way = slips_of(net, a, b, R1, R2);
+    const row g = row_of(net, a, apart[0], b, apart[1]), s = row_of(net, a, slide[0], b, slide[1]),
+              r = row_of(net, a, roll[0], b, roll[1]);
+    row pull = g;
+    for (int i = 0; i < TR_NETWORK_DOF; i++)
+        pull.of[i] -= net->mu * way.friction * s.of[i] + net->mu_r * way.rolling * r.of[i];
+    add(net->K, net->k_n, &pull, &g);
+    add(net->C, 2 * net->zeta * sqrt(net->k_n * m), &pull, &g);
+    if (!way.friction) add(net->K, net->k_t, &s, &s);
+    if (!way.rolling) add(net->K, net->k_r, &r, &r);
 }
 
 static void assemble(tr_network *net) {
@@ -120,14 +158,36 @@ double tr_network_limit(const tr_network *net) {
 
 /* ---- the leapfrog of the tool */
 
-static double kinetic(const tr_disks *d) {
+static double spin_of(const tr_network *net, int i) { /* when its rim slides */
+    return net->rim[i] * SLIDES * SMALLEST / (net->w.dt * net->w.disks.pos[4 * i + 3]);
+}
+
+/* Of the disturbance. */
+static double kinetic(const tr_network *net) {
+    const tr_disks *d = &net->w.disks;
     double sum = 0;
-    for (int k = 0; k < 4 * d->n; k++)
-        if (d->inv[k] > 0) sum += 0.5 * d->vel[k] * d->vel[k] / d->inv[k];
+    for (int k = 0; k < 4 * d->n; k++) {
+        double v = d->vel[k] - (k % 4 == 2 ? spin_of(net, k / 4) : 0);
+        if (d->inv[k] > 0) sum += 0.5 * v * v / d->inv[k];
+    }
     return sum;
 }
 
-/* At the start: springs relaxed, the same energy for every motion. */
+/* Springs that slide are stretched beyond their bound, the others relaxed. */
+static void stretch(tr_network *net) {
+    for (int k = 0; k < 2; k++) {
+        tr_group *g = &net->w.group[k];
+        for (int i = 0; i < g->n; i++) {
+            int a = k ? -1 : g->a[i], b = g->b[i];
+            slips way = slips_of(net, a, b, k ? 0 : net->w.disks.pos[4 * a + 3], net->w.disks.pos[4 * b + 3]);
+            const double huge = 1e3 * net->k_n * SMALLEST;
+            g->hist[g->slot[TR_FRICTION].hist][i] = way.friction * huge;
+            g->hist[g->slot[TR_ROLLING].hist][i] = way.rolling * huge;
+        }
+    }
+}
+
+/* At the start the same energy for every motion. */
 static void disturb(tr_network *net, double dt) {
     tr_world *w = &net->w;
     tr_random r = tr_random_seed(1, 2);
@@ -135,10 +195,10 @@ static void disturb(tr_network *net, double dt) {
     for (int i = 0; i < w->disks.n; i++) inv = fmax(inv, w->disks.inv[4 * i]);
     for (int k = 0; k < 4 * w->disks.n; k++)
         w->disks.vel[k] = TINY * SMALLEST / dt * sqrt(w->disks.inv[k] / inv) * (2 * tr_random_uniform(&r) - 1);
-    for (int k = 0; k < 2; k++)
-        for (int h = 0; h < w->group[k].n_hist && w->group[k].n > 0; h++)
-            memset(w->group[k].hist[h], 0, (size_t)w->group[k].n * sizeof(double));
+    stretch(net);
     w->dt = dt, w->fresh = w->stale = true;
+    for (int i = 0; i < w->disks.n; i++) w->disks.vel[4 * i + 2] += spin_of(net, i);
+    w->wall[0].vx = net->floor * SLIDES * SMALLEST / dt;
 }
 
 double tr_network_growth(tr_network *net, double dt, int steps, double *a_step, tr_status *st) {
@@ -146,11 +206,11 @@ double tr_network_growth(tr_network *net, double dt, int steps, double *a_step, 
     size_t bytes = 4 * (size_t)net->w.disks.n * sizeof(double);
     memcpy(pos, net->w.disks.pos, bytes);
     disturb(net, dt);
-    double start = kinetic(&net->w.disks);
+    double start = kinetic(net);
     int k = 0;
     while (k < steps && most < 1e6 && tr_step_forces(&net->w, st)) {
         tr_step_advance(&net->w);
-        before = last, last = kinetic(&net->w.disks) / start, k++;
+        before = last, last = kinetic(net) / start, k++;
         most = fmax(most, last);
     }
     *a_step = most < TR_NETWORK_GROWN ? pow(last, 1.0 / k) : last / before;
@@ -158,40 +218,76 @@ double tr_network_growth(tr_network *net, double dt, int steps, double *a_step, 
     return most;
 }
 
+double tr_network_linear(tr_network *net, double dt, int steps) {
+    double x[TR_NETWORK_DOF] = {0}, y[TR_NETWORK_DOF], force[TR_NETWORK_DOF], start = 0, most = 1;
+    const tr_disks *d = &net->w.disks;
+    int n = 3 * d->n;
+    disturb(net, dt);
+    for (int i = 0; i < n; i++) {
+        int lane = 4 * (i / 3) + i % 3;
+        double v = d->vel[lane] - (i % 3 == 2 ? spin_of(net, i / 3) : 0);
+        y[i] = d->inv[lane] > 0 ? v * dt / sqrt(d->inv[lane]) : 0, start += y[i] * y[i];
+    }
+    for (int k = 0; k < steps && most < 1e6; k++) {
+        double now = 0;
+        for (int i = 0; i < n; i++) {
+            force[i] = 0;
+            for (int j = 0; j < n; j++) force[i] -= dt * dt * net->K[i][j] * x[j] + dt * net->C[i][j] * y[j];
+        }
+        for (int i = 0; i < n; i++) y[i] += force[i], x[i] += y[i], now += y[i] * y[i];
+        most = fmax(most, now / start);
+    }
+    return most;
+}
+
 static bool balance(tr_network *net, tr_status *st) {
     tr_disks *d = &net->w.disks;
     net->w.dt = 1e-15, net->w.allow_unstable = true;
+    if (!tr_step_forces(&net->w, st)) return false; /* there are contacts now */
+    stretch(net);
+    net->w.fresh = true;
     if (!tr_step_forces(&net->w, st) || !(d->load = tr_alloc(4 * (size_t)d->n, sizeof(double), st))) return false;
     for (int k = 0; k < 4 * d->n; k++) d->load[k] = -d->force[k];
     return true;
 }
 
-static bool set_laws(tr_network *net, tr_random *r, const char *velocity, tr_status *st) {
+static bool set_laws(tr_network *net, tr_random *r, const char *velocity, bool sliding, tr_status *st) {
     static const char text[] = "kind: bodies\ntime_end: 1 s\ndisks: [{radius: 1, x: 0, y: 0}]\n"
                                "contact: {k_n: 1 MPa, damping_ratio: 0, mu: 100, mu_r: 100}\n";
-    net->k_n = among(r, 1e5, 1e7), net->k_t = net->k_n * among(r, 1e-3, 1e3), net->k_r = net->k_n * among(r, 1e-3, 1e3);
+    double apart = sliding ? 10 : 1e3; /* no disturbance makes what sticks slide */
+    net->k_n = among(r, 1e5, 1e7), net->k_t = net->k_n * among(r, 1 / apart, apart);
+    net->k_r = net->k_n * among(r, 1 / apart, apart);
     net->zeta = tr_random_uniform(r) < 0.5 ? 0 : tr_random_uniform(r);
     net->conjugate = tr_random_uniform(r) < 0.5 && !velocity;
-    char value[4][60];
+    net->mu = sliding ? among(r, 0.1, 1) : 100, net->mu_r = sliding ? among(r, 0.1, 1) : 100;
+    char value[6][60];
     snprintf(value[0], 60, "contact.k_n=%.17g", net->k_n), snprintf(value[1], 60, "contact.k_t=%.17g", net->k_t);
     snprintf(value[2], 60, "contact.k_r=%.17g", net->k_r),
         snprintf(value[3], 60, "contact.damping_ratio=%.17g", net->zeta);
+    snprintf(value[4], 60, "contact.mu=%.17g", net->mu), snprintf(value[5], 60, "contact.mu_r=%.17g", net->mu_r);
     char rolling[60];
     snprintf(rolling, sizeof rolling, velocity ? "contact.rolling_velocity=%s" : "contact.rolling=%s",
              velocity         ? velocity
              : net->conjugate ? "bagi-kuhn-conjugate"
                               : "wang-spring");
-    const char *sets[] = {value[0], value[1], value[2], value[3], rolling};
+    const char *sets[] = {value[0], value[1], value[2], value[3], value[4], value[5], rolling};
     tr_scene scene;
-    if (!tr_scene_read(&scene, "network", text, strlen(text), sets, 5, tr_laws_catalog(), st)) return false;
+    if (!tr_scene_read(&scene, "network", text, strlen(text), sets, 7, tr_laws_catalog(), st)) return false;
     bool ok = tr_world_set_laws(&net->w, &scene.contact, false, 0, st);
     tr_scene_free(&scene);
     return ok;
 }
 
-bool tr_network_throw(tr_network *net, int seed, const char *rolling_velocity, tr_status *st) {
+static void set_rims(tr_network *net, tr_random *r, bool sliding) {
+    for (int i = 0; i < TR_NETWORK_DISKS; i++) net->rim[i] = sliding ? floor(3 * tr_random_uniform(r)) - 1 : 0;
+    net->floor = sliding ? floor(3 * tr_random_uniform(r)) - 1 : 0;
+}
+
+bool tr_network_throw(tr_network *net, int seed, const char *rolling_velocity, bool sliding, tr_status *st) {
     tr_random r = tr_random_seed((uint64_t)seed, 1);
-    if (!throw_disks(net, &r, st) || !set_laws(net, &r, rolling_velocity, st) || !balance(net, st)) return false;
+    if (!throw_disks(net, &r, st) || !set_laws(net, &r, rolling_velocity, sliding, st)) return false;
+    set_rims(net, &r, sliding);
+    if (!balance(net, st)) return false;
     assemble(net);
     return true;
 }

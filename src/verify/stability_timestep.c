@@ -42,7 +42,7 @@ bool tr_stability_networks(tr_verify *v, tr_status *st) {
     tally *t = tr_alloc(1, sizeof *t, st);
     bool ok = net && t;
     for (int i = 0; ok && i < NETWORKS; i++) {
-        ok = tr_verify_go_on(v, st) && tr_network_throw(net, i + 1, NULL, st) && one(v, net, t, i, st);
+        ok = tr_verify_go_on(v, st) && tr_network_throw(net, i + 1, NULL, false, st) && one(v, net, t, i, st);
         tr_network_free(net);
     }
     if (ok) {
@@ -77,7 +77,7 @@ bool tr_stability_not_conjugate(tr_verify *v, tr_status *st) {
         int grow = 0;
         for (int i = 0; ok && i < NETWORKS / 10; i++) {
             double a_step;
-            ok = tr_verify_go_on(v, st) && tr_network_throw(net, i + 1, velocity[k], st);
+            ok = tr_verify_go_on(v, st) && tr_network_throw(net, i + 1, velocity[k], false, st);
             if (ok)
                 grow += tr_network_growth(net, 0.1 * tr_timestep_contacts(&net->w).dt, 20 * STEPS, &a_step, st) >
                         TR_NETWORK_GROWN;
