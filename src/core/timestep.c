@@ -43,7 +43,9 @@ static double contact_limit(const tr_group *g, tr_pair_bodies bodies, share one,
     const tangential t = {.slide = s + r1 * r1 * one.inv_I + r2 * r2 * two.inv_I,
                           .roll = l1 * l1 * one.inv_I + l2 * l2 * two.inv_I + e * e * s,
                           .mixed = r1 * l1 * one.inv_I - r2 * l2 * two.inv_I + e * s};
-    return fmin(mode_limit(n.k * s, n.c * s), mode_limit(larger(&t, f.k, r.k), larger(&t, f.c, r.c)));
+    /* What mode_limit says, but for the last bit, which turns every number of a chaotic sample into another. */
+    double normal = n.k > 0 && s > 0 ? (sqrt(n.c * n.c + 4 * n.k / s) - n.c) / n.k : mode_limit(0, n.c * s);
+    return fmin(normal, mode_limit(larger(&t, f.k, r.k), larger(&t, f.c, r.c)));
 }
 
 static double overlap(const tr_world *world, const tr_group *g, int i) {
