@@ -23,6 +23,16 @@ static const double DRAG = 0.005; /* of sqrt(stiffness under the pressure / mean
  * spread 0.003), but is no longer the step that a shear has by default. */
 static const double COMPACTION_SAFETY = 0.4;
 
+/* Of a row of disks: the mass of a piston between walls in the shear. See SERVO in biaxial.h. */
+static const double SHARE_OF_ROW = 1.0 / 6;
+
+/* The strain at which the driven sides are at full speed: this, or what it takes sound to cross the sample; no more than a share of
+ * all strain. */
+static const double START = 1e-3, MOST_START = 0.2;
+
+/* How far the held stress may be off, as a mean over so much strain. */
+static const double MOST_OFF = 0.2, WINDOW = 0.01;
+
 /* Lengths of the walls, and what pushes the pistons, follow the box. */
 static void fit_walls(tr_biaxial *b, double horizontal, double lateral) {
     tr_wall *w = b->world.wall;
@@ -46,6 +56,20 @@ tr_scene_contact tr_biaxial_compaction_laws(const tr_scene *scene) {
     double *friction_mu = tr_law_value(tr_laws_friction[c.friction.law], c.friction.par, "mu");
     if (friction_mu) *friction_mu = mu;
     return c;
+}
+
+double tr_biaxial_rest_mu(const tr_scene *scene) {
+    tr_scene_law friction = scene->contact.friction;
+    const double *mu = tr_law_value(tr_laws_friction[friction.law], friction.par, "mu");
+    return mu && *mu < scene->compaction.mu ? *mu : scene->compaction.mu;
+}
+
+/* The friction of the compaction goes down to that of the shear: no list and no history changes. */
+static void set_mu(tr_biaxial *b, double mu) {
+    tr_slot *friction = &b->world.group[0].slot[TR_FRICTION];
+    double *value = friction->law ? tr_law_value(friction->law, friction->par, "mu") : NULL;
+    b->mu = mu;
+    if (value) *value = mu;
 }
 
 /* Steps in which the walls could cross the box at the speed they are allowed. */
@@ -109,8 +133,10 @@ bool tr_biaxial_init(tr_biaxial *b, const tr_scene *scene, tr_status *st) {
     tr_wall walls[4] = {{.ny = 1}, {.y = side, .ny = -1}, {.nx = 1}, {.x = side, .nx = -1}};
     b->world.boxed = scene->boundary != TR_PERIODIC;
     b->world.n_walls = b->world.boxed ? 4 : 0;
+    b->row_mass = row;
     for (int w = 0; w < b->world.n_walls; w++) {
-        walls[w].mass = row, walls[w].v_max = v_max;
+        walls[w].mass = w < TR_LEFT_WALL ? 0 : SHARE_OF_ROW * row; /* of the shear, for its step */
+        walls[w].length = dense, walls[w].v_max = v_max;
         b->world.wall[w] = walls[w];
     }
     if (scene->boundary == TR_PERIODIC) /* each side stands for two walls */
@@ -121,6 +147,8 @@ bool tr_biaxial_init(tr_biaxial *b, const tr_scene *scene, tr_status *st) {
     bool ok = tr_world_set_laws(&b->world, &scene->contact, scene->shear.walls == 0, 0, st) &&
               tr_timestep_choose(&b->world, &scene->step, 0, &b->dt_bound, st);
     b->dt = b->world.dt;
+    for (int w = 0; w < b->world.n_walls; w++) b->world.wall[w].mass = row, b->world.wall[w].length = 0;
+    b->mu = scene->compaction.mu;
     ok = ok && tr_world_set_laws(&b->world, &laws, true, 0, st) &&
          tr_timestep_choose(&b->world, &step, 0, &bound, st) && check_reach(b, dense, st);
     if (!ok) return tr_biaxial_free(b), false;
@@ -188,6 +216,7 @@ bool tr_biaxial_compact(tr_biaxial *b, int steps, double *unbalanced, bool *done
     const double too_many = fmin(MOST_STEPS, 100 * closing_steps(b)); /* it takes one or two of the latter */
     const double pressure = b->scene->compaction.pressure, pressure_error = 1e-3;
     tr_world *world = &b->world;
+    set_mu(b, b->mu); /* also after a restart */
     for (int k = 0; k < steps; k++) {
         fit_walls(b, pressure, pressure);
         if (!tr_step_forces(world, st)) return fail_soft(b, st);
@@ -205,6 +234,7 @@ bool tr_biaxial_compact(tr_biaxial *b, int steps, double *unbalanced, bool *done
     for (int w = 0; w < 4; w++) *done = *done && fabs(stress(b, w) / pressure - 1) < pressure_error;
     drag(b);
     tr_step_advance(world);
+    if (*done && b->mu > tr_biaxial_rest_mu(b->scene)) set_mu(b, tr_biaxial_rest_mu(b->scene)), *done = false;
     if ((double)world->steps > too_many)
         return tr_status_fail(
             st, TR_NUMERICAL,
@@ -225,41 +255,80 @@ bool tr_biaxial_begin_shear(tr_biaxial *b, tr_status *st) {
     b->shear_start = b->world.steps;
     b->world.dt = b->dt;
     b->world.allow_unstable = b->scene->step.allow_unstable;
-    double shear_steps = ceil(shear->strain_end / (b->rate * b->world.dt));
+    double a_step = b->rate * b->world.dt; /* of strain */
+    double stiffness = tr_biaxial_stiffness(b, shear->lateral_pressure);
+    double crossing = 0.5 * b->rate * b->row_mass / sqrt(stiffness * b->mean_mass); /* at half of the speed */
+    b->start_steps = ceil(2 * fmin(fmax(START, crossing), MOST_START * shear->strain_end) / a_step);
+    double shear_steps = ceil(shear->strain_end / a_step + 0.5 * b->start_steps);
     if (!(shear_steps <= TR_MOST_STEPS))
         return tr_status_fail(st, TR_BAD_CASE,
                               "error: the shear would take %.1e steps; give a larger shear.inertial_number",
                               shear_steps);
     b->shear_steps = (int64_t)shear_steps;
-    for (int k = 0; k < 4; k++) w[k].v_max = INFINITY;
-    for (int k = TR_BOTTOM_WALL; k <= TR_TOP_WALL; k++) {
-        w[k].mass = 0;
-        w[k].vy = 0.5 * b->rate * b->height0 * w[k].ny;
-    }
+    for (int k = 0; k < 4; k++) w[k].v_max = INFINITY, w[k].mass = k < TR_LEFT_WALL ? 0 : SHARE_OF_ROW * b->row_mass;
+    w[TR_BOTTOM_WALL].vy = w[TR_TOP_WALL].vy = 0;
     if (!b->world.n_walls) {
-        b->world.cell.mass[1] = 0, b->world.cell.v_max[0] = INFINITY;
-        tr_cell_set_rate(&b->world, 1, -b->rate * b->height0);
+        b->world.cell.mass[0] = b->mean_mass, b->world.cell.mass[1] = 0, b->world.cell.v_max[0] = INFINITY;
+        tr_cell_set_rate(&b->world, 1, 0);
     }
-    return tr_world_set_laws(&b->world, &b->scene->contact, shear->walls == 0,
-                             b->scene->output.energy ? TR_SINK_LEDGER : 0, st);
+    return tr_world_change_laws(&b->world, &b->scene->contact, shear->walls == 0,
+                                b->scene->output.energy ? TR_SINK_LEDGER : 0, st);
 }
 
-/* The piston of the width on the mean stress, with a dashpot against its own slow motion; see biaxial.h. */
-static void hold_mean(tr_biaxial *b) {
-    const double share = 0.15, memory = 10; /* of critical damping; in units of 1/frequency */
-    tr_periodic_cell *cell = &b->world.cell;
-    double frequency = sqrt(tr_biaxial_stiffness(b, b->scene->shear.lateral_pressure) / cell->mass[0]);
-    double excess = 0.5 * (stress(b, TR_TOP_WALL) - stress(b, TR_RIGHT_WALL)); /* of the mean over the lateral stress */
-    cell->load[0] -= excess * cell->side[1];
-    cell->load[0] += 2 * share * cell->mass[0] * frequency * (cell->rate[0] - b->slow_rate);
-    b->slow_rate += b->world.dt * frequency / memory * (cell->rate[0] - b->slow_rate);
+/* Share of the full speed `steps` steps after the start; its sum over the start is half the number of steps. */
+static double speed(const tr_biaxial *b, double steps) {
+    double s = fmin(fmax(steps / b->start_steps, 0), 1);
+    return s * s * (3 - 2 * s);
+}
+
+/* What the driven sides gain in the step that follows: velocities are those of the middle of steps. */
+static void drive(tr_biaxial *b) {
+    double k = (double)(b->world.steps - b->shear_start), before = k > 0 ? speed(b, k - 0.5) : 0;
+    double gain = b->rate * b->height0 * (speed(b, k + 0.5) - before) / b->world.dt;
+    b->world.wall[TR_BOTTOM_WALL].gain = b->world.wall[TR_TOP_WALL].gain = 0.5 * gain;
+    b->world.cell.gain[1] = -gain;
+}
+
+/* The lateral stress that is asked for now. */
+static double asked(const tr_biaxial *b) {
+    double from = b->scene->compaction.pressure, to = b->scene->shear.lateral_pressure;
+    return from + (to - from) * speed(b, (double)(b->world.steps - b->shear_start));
+}
+
+static double held(const tr_biaxial *b) {
+    double other = stress(b, b->scene->shear.hold == TR_HOLD_MEAN ? TR_TOP_WALL : TR_LEFT_WALL);
+    return 0.5 * (other + stress(b, TR_RIGHT_WALL));
+}
+
+/* Whether the servo has held its stress over each whole window. What it misses goes as I at the start, then as I^2, and grows as the
+ * sample gets flat: the speed that is told is one for a tenth of what may be missed. */
+static bool check_held(tr_biaxial *b, tr_status *st) {
+    const tr_scene_shear *shear = &b->scene->shear;
+    double part = b->rate * b->world.dt * speed(b, (double)(b->world.steps - b->shear_start)); /* of strain */
+    b->held_sum += part * held(b) / asked(b);
+    b->held_strain += part;
+    if (b->held_strain < WINDOW) return true;
+    double off = b->held_sum / b->held_strain - 1;
+    b->held_sum = b->held_strain = 0;
+    if (fabs(off) <= MOST_OFF) return true;
+    tr_biaxial_state s;
+    tr_biaxial_shape(b, &s);
+    return tr_status_fail(
+        st, TR_NUMERICAL,
+        "error: the %s stress is not held: over 1 %% of strain it was %.4g on average, asked %.4g, at strain %.4g, "
+        "step %lld, time %.9g s; the test is too fast for it, and shear.inertial_number = %.2g would do",
+        shear->hold == TR_HOLD_MEAN ? "mean" : "lateral", (1 + off) * shear->lateral_pressure, shear->lateral_pressure,
+        s.strain, (long long)b->world.steps, s.time,
+        shear->inertial_number * 0.1 * MOST_OFF / fabs(off));
 }
 
 bool tr_biaxial_forces(tr_biaxial *b, tr_status *st) {
     tr_world *world = &b->world;
-    fit_walls(b, 0, b->scene->shear.lateral_pressure);
+    fit_walls(b, 0, asked(b));
     if (!tr_step_forces(world, st)) return fail_soft(b, st);
-    if (b->scene->shear.hold == TR_HOLD_MEAN) hold_mean(b);
+    if (b->scene->shear.hold == TR_HOLD_MEAN) /* what is above the lateral stress helps the disks */
+        world->cell.load[0] -= (held(b) - stress(b, TR_RIGHT_WALL)) * world->cell.side[1];
+    drive(b);
     if (world->ledger) {
         if (world->steps == b->shear_start)
             tr_ledger_begin(world);
@@ -268,7 +337,7 @@ bool tr_biaxial_forces(tr_biaxial *b, tr_status *st) {
     }
     for (int k = 0; k < 4; k++) b->stress_sum[k] += stress(b, k);
     b->stress_steps++;
-    return true;
+    return check_held(b, st);
 }
 
 void tr_biaxial_shape(const tr_biaxial *b, tr_biaxial_state *s) {

@@ -47,6 +47,8 @@ void tr_cell_advance(tr_world *world) {
         if (c->mass[k] > 0) {
             double rate = c->rate[k] + world->dt * (tr_cell_force(c, k) - c->load[k]) / c->mass[k];
             tr_cell_set_rate(world, k, fmin(fmax(rate, -c->v_max[k]), c->v_max[k]));
+        } else if (c->gain[k] != 0) {
+            tr_cell_set_rate(world, k, c->rate[k] + world->dt * c->gain[k]);
         }
     }
     for (int k = 0; k < 2; k++) c->side[k] += world->dt * c->rate[k];

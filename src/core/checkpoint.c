@@ -49,11 +49,13 @@ void tr_world_checkpoint(tr_world *world, tr_checkpoint *c) {
 
 void tr_biaxial_checkpoint(tr_biaxial *b, tr_checkpoint *c) {
     tr_world_checkpoint(&b->world, c);
+    TR_KEEP(c, &b->mu, 1);
     TR_KEEP(c, &b->height0, 1);
     TR_KEEP(c, &b->shear_start, 1);
     TR_KEEP(c, b->stress_sum, 4);
     TR_KEEP(c, &b->stress_steps, 1);
-    TR_KEEP(c, &b->slow_rate, 1);
+    TR_KEEP(c, &b->held_sum, 1);
+    TR_KEEP(c, &b->held_strain, 1);
 }
 
 void tr_biaxial_packing(tr_biaxial *b, tr_checkpoint *c) {
@@ -65,4 +67,5 @@ void tr_biaxial_packing(tr_biaxial *b, tr_checkpoint *c) {
     TR_KEEP(c, &world->steps, 1);
     TR_KEEP(c, &world->searches, 1);
     TR_KEEP(c, &world->refreshes, 1);
+    if (world->group[0].n_hist) keep_group(&world->group[0], c);
 }

@@ -90,6 +90,8 @@ static void move_walls(tr_world *world) {
             v += world->dt * push / wall->mass;
             v = fmin(fmax(v, -wall->v_max), wall->v_max);
             wall->vx = v * wall->nx, wall->vy = v * wall->ny;
+        } else if (wall->gain != 0) {
+            wall->vx += world->dt * wall->gain * wall->nx, wall->vy += world->dt * wall->gain * wall->ny;
         }
         wall->x += world->dt * wall->vx, wall->y += world->dt * wall->vy;
         fastest = fmax(fastest, fabs(wall->vx * wall->nx + wall->vy * wall->ny));

@@ -135,9 +135,21 @@ static double smallest_radius(const tr_world *world, int *smallest, int *largest
     return d->pos[4 * (size_t)*smallest + 3];
 }
 
-/* Each disk is paired with the smallest and the largest, and with all where there are no more than `few`. */
-static double all_limits(const tr_world *world, packings p, int few) {
-    const share rigid = {0, 0};
+/* Of pistons whose length is known: as many contacts as disks of the mean size side by side. */
+static share piston_share(const tr_world *world) {
+    share piston = {0, 0};
+    double diameters = 0;
+    for (int i = 0; i < world->disks.n; i++) diameters += 2 * world->disks.pos[4 * (size_t)i + 3];
+    for (int w = 0; w < world->n_walls; w++) {
+        const tr_wall *wall = &world->wall[w];
+        if (wall->mass > 0)
+            piston.inv_m = fmax(piston.inv_m, wall->length * world->disks.n / (diameters * wall->mass));
+    }
+    return piston;
+}
+
+/* Each disk is paired with a wall, with the smallest and the largest disk, and with all where there are no more than `few`. */
+static double all_limits(const tr_world *world, packings p, int few, share wall) {
     int n = world->disks.n, smallest, largest;
     double bound = INFINITY;
     p.r_min = smallest_radius(world, &smallest, &largest);
@@ -147,13 +159,13 @@ static double all_limits(const tr_world *world, packings p, int few) {
             bound = fmin(bound, pair_limit(world, i, largest, &p));
         }
         for (int j = i + 1; j < n && n <= few; j++) bound = fmin(bound, pair_limit(world, i, j, &p));
-        if (world->n_walls) bound = fmin(bound, wall_limit(world, i, rigid, &p));
+        if (world->n_walls) bound = fmin(bound, wall_limit(world, i, wall, &p));
     }
     return bound;
 }
 
 double tr_timestep_worst(const tr_world *world) {
-    return all_limits(world, (packings){.overlap = TR_EXPECTED_OVERLAP}, 1000);
+    return all_limits(world, (packings){.overlap = TR_EXPECTED_OVERLAP}, 1000, piston_share(world));
 }
 
 /* One density, and all free: of such the smallest and the largest stand for all partners, as in tr_timestep_worst of many. */
@@ -171,7 +183,7 @@ bool tr_timestep_sure(tr_world *world) {
     packings p = {.overlap = TR_LARGEST_OVERLAP, .q = TR_LARGEST_OVERLAP};
     const tr_group *g = &world->group[1];
     int z[TR_MAX_WALLS] = {0}, smallest, largest;
-    if (world->sure_dt == 0) world->sure_dt = all_limits(world, p, are_alike(world) ? 0 : 1000);
+    if (world->sure_dt == 0) world->sure_dt = all_limits(world, p, are_alike(world) ? 0 : 1000, (share){0, 0});
     if (world->dt > world->sure_dt) return false;
     bool pistons = false;
     for (int w = 0; w < world->n_walls; w++) pistons = pistons || world->wall[w].mass > 0;

@@ -140,6 +140,32 @@ bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool sm
     return world->finder != NULL;
 }
 
+/* Both lists are sorted by their ids. */
+static void carry_friction(tr_group *to, const tr_group *from) {
+    int first = to->slot[TR_FRICTION].hist, old_first = from->slot[TR_FRICTION].hist, old = 0;
+    for (int i = 0; i < to->n; i++) {
+        while (old < from->n && (from->a[old] < to->a[i] || (from->a[old] == to->a[i] && from->b[old] < to->b[i]))) old++;
+        if (old == from->n) return;
+        if (from->a[old] != to->a[i] || from->b[old] != to->b[i]) continue;
+        for (int h = 0; h < to->slot[TR_FRICTION].law->n_hist; h++)
+            to->hist[first + h][i] = from->hist[old_first + h][old];
+    }
+}
+
+bool tr_world_change_laws(tr_world *world, const tr_scene_contact *contact, bool smooth_walls, unsigned sinks,
+                          tr_status *st) {
+    tr_group before = world->group[0], *now = &world->group[0];
+    *now = (tr_group){0};
+    bool ok = tr_world_set_laws(world, contact, smooth_walls, sinks, st);
+    const tr_law *friction = before.slot[TR_FRICTION].law;
+    if (ok && before.n && friction->n_hist && friction == now->slot[TR_FRICTION].law) {
+        ok = tr_contacts_refresh(world, st);
+        if (ok) carry_friction(now, &before);
+    }
+    group_free(&before);
+    return ok;
+}
+
 /* Given motion is infinite mass: inv is 0 there. */
 static void weigh_body(const tr_world *world, int i, double *R, double *m, double *I) {
     const double *inv = world->disks.inv + 4 * (size_t)i, of_mass = world->shape == TR_SHAPE_SPHERE ? 0.4 : 0.5;

@@ -52,6 +52,7 @@ typedef struct tr_wall {
     double x, y, nx, ny; /* [m] */
     double vx, vy;       /* [m/s] */
     double mass;         /* [kg/m]; 0: the wall moves as it is told; > 0: a piston along its normal */
+    double gain;         /* acceleration along the normal of one that moves as it is told [m/s^2] */
     double load;         /* what pushes a piston along its normal [N/m] */
     double v_max;        /* speed limit of a piston [m/s] */
     double fx, fy;       /* force of the disks on the wall [N/m] */
@@ -64,6 +65,7 @@ typedef struct tr_periodic_cell {
     double side[2];   /* [m]; 0: there is no cell */
     double rate[2];   /* d side/dt [m/s] */
     double mass[2];   /* of the piston [kg/m]; 0: the side changes as it is told */
+    double gain[2];   /* d rate/dt of one that changes as it is told [m/s^2] */
     double load[2];   /* what pushes the piston inward [N/m] */
     double v_max[2];  /* largest |rate| of a piston [m/s] */
     double virial[2]; /* sum over the contacts of force on b times (b - a), compression positive [N] */
@@ -200,6 +202,10 @@ void tr_world_set_disk(tr_world *world, int i, double x, double y, double angle,
  * smooth_walls. Contact histories start at zero. Call it after the radii are set. */
 bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool smooth_walls, unsigned sinks,
                        tr_status *st);
+
+/* The same, but the contacts of disks that have the same law of friction as before keep its histories. */
+bool tr_world_change_laws(tr_world *world, const tr_scene_contact *contact, bool smooth_walls, unsigned sinks,
+                          tr_status *st);
 
 /* Adds a sink at the end of a pipeline, with n_hist arrays of its own. */
 void tr_group_attach(tr_group *group, tr_sink *sink, const char *name, tr_pass_run *run, int n_hist);

@@ -183,7 +183,7 @@ static void walls_of_cell(const tr_periodic_cell *cell, tr_wall wall[4]) {
         int axis = w < 2, out = w % 2 ? 1 : -1;
         double at = 0.5 * out * cell->side[axis], v = 0.5 * out * cell->rate[axis];
         wall[w] = axis ? (tr_wall){.y = at, .ny = -out, .vy = v} : (tr_wall){.x = at, .nx = -out, .vx = v};
-        wall[w].mass = cell->mass[axis];
+        wall[w].mass = cell->mass[axis], wall[w].gain = -0.5 * cell->gain[axis];
     }
 }
 
@@ -208,9 +208,10 @@ static void draw_walls(cairo_t *cr, const tr_view *view, const tr_map *map) {
         tr_pen_hue(cr, TR_WALL);
         double over = w < 2 ? bar : 0; /* the horizontal bars close the corners */
         tr_pen_line(cr, (tr_point){p.x + ex - over, p.y + ey}, (tr_point){q.x + ex + over, q.y + ey}, bar);
-        bool loaded = wall[w].mass > 0, driven = !loaded && (wall[w].vx != 0 || wall[w].vy != 0);
+        double gain = wall[w].gain; /* at the start of a shear the driven ones are still at rest */
+        bool loaded = wall[w].mass > 0, driven = !loaded && (wall[w].vx != 0 || wall[w].vy != 0 || gain != 0);
         int n = loaded ? 7 : driven ? 1 : 0;
-        double inward = loaded || wall[w].vx * wall[w].nx + wall[w].vy * wall[w].ny > 0 ? 1 : -1;
+        double inward = loaded || wall[w].vx * wall[w].nx + wall[w].vy * wall[w].ny + gain > 0 ? 1 : -1;
         tr_pen_hue(cr, loaded ? TR_BLUE : TR_VERMILLION);
         for (int k = 0; k < n; k++) {
             double f = (k + 0.5) / n, length = loaded ? 26 : 40, near = bar + 4, far = near + length;

@@ -148,7 +148,8 @@ char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, 
     json_object_set_new(o, "servo", json_string("piston: M dv/dt = pressure*length - force"));
     add_by_shape(o, scene->shape, "servo_mass_kg_per_m|servo_mass_kg",
                  b->world.n_walls ? b->world.wall[TR_LEFT_WALL].mass : b->world.cell.mass[0]);
-    json_object_set_new(o, "start_of_shear", json_string("velocities after compaction, contact histories zero"));
+    json_object_set_new(o, "start_of_shear", json_string("velocities and friction of disks after compaction, "
+                                                       "other histories zero, driven sides at rest"));
     add(o, "dt_s", b->world.dt);
     add(o, "dt_bound_s", b->dt_bound);
     json_object_set_new(o, "steps_compaction", json_integer(b->shear_start));

@@ -16,7 +16,8 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { VERSION = 1 }; /* one more when a change of the program makes other packings of the same case */
+/* One more when a change of the program makes other packings of the same case. Those with friction have histories since 2. */
+static const char SMOOTH[] = "packing: 1", ROUGH[] = "packing: 2, with friction histories";
 
 char *tr_packing_text(const tr_scene *scene, tr_status *st) {
     tr_scene compaction = {.kind = scene->kind,
@@ -26,8 +27,11 @@ char *tr_packing_text(const tr_scene *scene, tr_status *st) {
                            .sample = scene->sample,
                            .compaction = scene->compaction,
                            .contact = tr_biaxial_compaction_laws(scene)};
+    tr_scene_law *friction = &compaction.contact.friction;
+    double *mu = tr_law_value(tr_laws_friction[friction->law], friction->par, "mu");
+    if (mu) *mu = tr_biaxial_rest_mu(scene);
     char *resolved = tr_scene_write(&compaction, tr_laws_catalog(), st), *text = NULL;
-    if (resolved && asprintf(&text, "packing: %d\n%s", VERSION, resolved) < 0)
+    if (resolved && asprintf(&text, "%s\n%s", scene->compaction.mu > 0 ? ROUGH : SMOOTH, resolved) < 0)
         text = NULL, tr_status_fail(st, TR_FILE, "error: out of memory");
     free(resolved);
     return text;

@@ -43,7 +43,7 @@ typedef struct tr_replay_life {
 typedef struct tr_replay {
     tr_scene scene, contact; /* of the run; of one contact: its laws and a pair that each life replaces */
     double mu, E_star, depth, k_t;
-    double rate;           /* of strain [1/s] */
+    double rate, start;    /* of strain [1/s]; time until it is reached [s], see START in core/biaxial.h */
     int n_laws, n_columns; /* of tr_contact; n_laws + 1 with the recorded Q */
     const char *name[TR_REPLAY_LAWS];
     tr_replay_row *row; /* sorted by life */

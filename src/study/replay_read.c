@@ -8,6 +8,7 @@
 #include "study/replay.h"
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -104,25 +105,35 @@ static bool row(void *context, tr_csv *csv) {
     return true;
 }
 
-/* The strain grows at a constant rate. */
+/* Cells of the row that is read, and the last two rows. */
+typedef struct course {
+    double cell[2], row[2][2];
+} course;
+
 static bool strain_cell(void *context, tr_csv *csv, int column, const char *text, size_t length) {
+    course *c = context;
     (void)length;
-    return tr_csv_number(csv, column ? "time_s" : "strain", text, false, (double *)context + column);
+    return tr_csv_number(csv, column ? "time_s" : "strain", text, false, &c->cell[column]);
 }
 
 static bool strain_row(void *context, tr_csv *csv) {
-    (void)context, (void)csv;
-    return true; /* the last one counts */
+    course *c = context;
+    (void)csv;
+    memcpy(c->row[0], c->row[1], sizeof c->row[0]), memcpy(c->row[1], c->cell, sizeof c->cell);
+    return true;
 }
 
+/* A run that was stopped did not come to its end, but to its full speed. */
 static bool read_rate(tr_replay *r, const char *run, tr_status *st) {
     static const char *const names[] = {"strain", "time_s"};
     const tr_csv_format format = {names, 2, 2, "strain,...,time_s,...", NULL, strain_cell, strain_row};
     char path[TR_PATH];
-    double last[2] = {0};
-    if (!tr_dir_path(path, run, "history.csv", st) || !tr_csv_read(path, &format, last, st)) return false;
-    if (!(last[1] > 0)) return tr_status_fail(st, TR_BAD_CASE, "%.480s:1: error: no row after the start", path);
-    r->rate = last[0] / last[1];
+    course c = {0};
+    if (!tr_dir_path(path, run, "history.csv", st) || !tr_csv_read(path, &format, &c, st)) return false;
+    const double *before = c.row[0], *last = c.row[1];
+    if (!(last[1] > before[1])) return tr_status_fail(st, TR_BAD_CASE, "%.480s:1: error: no row after the start", path);
+    r->rate = (last[0] - before[0]) / (last[1] - before[1]);
+    r->start = fmax(0, 2 * (last[1] - last[0] / r->rate));
     return true;
 }
 

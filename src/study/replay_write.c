@@ -211,6 +211,12 @@ static void report_stress(const tr_replay *r, const stress *s, tr_run_report *re
     }
 }
 
+/* The speed grows as 3 x^2 - 2 x^3 of x = time/start; before that, its integral. */
+static double strain_at(const tr_replay *r, double time) {
+    double x = r->start > 0 ? fmin(1, time / r->start) : 1;
+    return r->rate * (r->start * x * x * x * (1 - 0.5 * x) + fmax(0, time - r->start));
+}
+
 static bool write_stress(const tr_replay *r, const char *dir, tr_run_report *report, tr_status *st) {
     tr_file file = {0};
     stress *s = tr_alloc((size_t)r->n_instants, sizeof *s, st);
@@ -219,7 +225,7 @@ static bool write_stress(const tr_replay *r, const char *dir, tr_run_report *rep
     for (int i = 0; ok && i < r->n_instants; i++) {
         tr_row cells = {0};
         tr_row_add(&cells, s[i].time, "time_s");
-        tr_row_add(&cells, r->rate * s[i].time, "strain");
+        tr_row_add(&cells, strain_at(r, s[i].time), "strain");
         tr_row_add(&cells, s[i].contacts, "contacts");
         for (int k = 0; k < r->n_columns; k++) tr_row_add(&cells, sin_phi(&s[i], k), "sin_phi_%s", r->name[k]);
         ok = tr_row_write(&cells, &file, st);

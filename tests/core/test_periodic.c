@@ -63,11 +63,14 @@ static void holds(tr_hold hold, uint64_t seed) {
     }
     begin_shear(&b);
     int rows = 0;
+    double before = 0;
     for (int64_t k = 0;; k++) {
         shear_forces(&b);
         if (k > 0 && k % 100 == 0) {
             tr_biaxial_state s = tr_biaxial_read(&b);
-            assert_close(s.strain, 1e-3 * sqrt(160e3 / mass) * s.time, 1e-9, 0); /* constant speed; k sums */
+            if (before > 2e-3) /* a constant speed after the start; k sums */
+                assert_close(s.strain - before, 1e-3 * sqrt(160e3 / mass) * 100 * b.world.dt, 1e-9, 1e-14);
+            before = s.strain;
             assert_close(s.strain, 1 - side[1] / height0, 1e-12, 1e-12);
             assert_close(s.void_ratio, side[0] * side[1] / area - 1, 1e-12, 0);
             double stress = hold == TR_HOLD_MEAN ? 0.5 * (s.stress_1 + s.stress_2) : s.stress_2;
@@ -79,7 +82,7 @@ static void holds(tr_hold hold, uint64_t seed) {
     held /= rows, square = sqrt(square / rows);
     print_message("%s stress %.5g Pa, scatter of rows %.3f\n", hold == TR_HOLD_MEAN ? "mean" : "lateral", held, square);
     assert_close(held, 160e3, 0.01, 0); /* as of walls */
-    assert_true(square < 0.1);          /* of so few disks; a servo that feeds itself scatters by 0.3 and more */
+    assert_true(square < 0.02);         /* of rows below 0.05, three standard deviations with room */
     tr_biaxial_free(&b);
 }
 

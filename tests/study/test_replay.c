@@ -352,7 +352,8 @@ static void closed_forms(void **state) {
     static const char *const of_time[] = {"strain", "time_s"};
     table h = table_read(folder, "made-up/history.csv", of_time, 2),
           s = table_read(folder, "made-up/replay-stress.csv", of_time, 2);
-    assert_close(s.row[ROWS - 1][0], (ROWS - 1) * h.row[h.n - 1][0] / h.row[h.n - 1][1], 1e-5, 0);
+    const double *last = h.row[h.n - 1], *before = h.row[h.n - 2]; /* at full speed */
+    assert_close(s.row[ROWS - 1][0] - s.row[ROWS - 2][0], (last[0] - before[0]) / (last[1] - before[1]), 1e-5, 0);
     free(h.row), free(s.row);
     int spring = law_of(&r, "coulomb-spring"), bed = law_of(&r, "cattaneo-mindlin"),
         dahlberg = law_of(&r, "dahlberg-alfredsson"), kuhn = law_of(&r, "kuhn-creep");
@@ -434,7 +435,7 @@ static void stress_is_that_of_the_boundary(void **state) {
         assert_int_equal(s.n, 101);
         for (int i = 1; i < 101; i++) {
             boundary += h.row[i][0] / 100, contacts += s.row[i][0] / 100;
-            assert_close(h.row[i][1], s.row[i][1], 1e-3, 1e-4);
+            assert_close(s.row[i][1], h.row[i][1], 1e-4, 1e-6); /* of the start too, in some hundred steps */
         }
         print_message("sin phi of the boundary %.4f, of contacts %.4f\n", boundary, contacts);
         assert_close(contacts, boundary, 0, 0.004);
