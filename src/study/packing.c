@@ -45,6 +45,14 @@ static bool name_file(tr_packing *p, const char *path, tr_status *st) {
     return (p->dir && p->name) || tr_status_fail(st, TR_FILE, "error: out of memory");
 }
 
+static bool open_packing(tr_checkpoint *c, const tr_packing *p, tr_status *instead, tr_status *st) {
+    if (tr_checkpoint_open(c, p->dir, p->name, p->text, instead, st)) return true;
+    size_t n = strlen(st->text);
+    if (st->code == TR_FILE)
+        snprintf(st->text + n, sizeof st->text - n, "; remove it, or give another name, to have this packing made");
+    return false;
+}
+
 bool tr_packing_check(const tr_scene *scene, const char *path, tr_status *st) {
     tr_packing p = {.lock = -1};
     tr_status instead = {0};
@@ -52,7 +60,7 @@ bool tr_packing_check(const tr_scene *scene, const char *path, tr_status *st) {
     bool ok = (p.text = tr_packing_text(scene, st)) && name_file(&p, path, st);
     if (ok && !*p.name) ok = tr_status_fail(st, TR_FILE, "error: --sample needs the name of a file, not `%s`", path);
     if (ok && !access(path, F_OK))
-        ok = tr_checkpoint_open(&c, p.dir, p.name, p.text, &instead, st);
+        ok = open_packing(&c, &p, &instead, st);
     else if (ok && access(p.dir, W_OK | X_OK))
         ok = tr_status_fail(st, TR_FILE, "error: cannot write %s: %s", path, strerror(errno));
     free(c.bytes);
@@ -97,7 +105,7 @@ bool tr_packing_load(tr_packing *p, tr_biaxial *b, const tr_run_options *options
     if (access(path, F_OK)) return true; /* for this run to make */
     if (p->lock >= 0) unlink(p->part);   /* the run that was waited for has renamed its own */
     tr_status instead = {0};
-    if (!tr_checkpoint_open(&c, p->dir, p->name, p->text, &instead, st)) return false;
+    if (!open_packing(&c, p, &instead, st)) return false;
     keep(b, unbalanced, &c);
     *there = tr_checkpoint_close(&c);
     return *there;

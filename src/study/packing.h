@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* sample.bin: a packing after its compaction, from which many runs start. Positions and velocities of disks and walls and, where
- * compaction.mu is above 0, the contacts with their friction, which the shear begins with. The file is one of base/checkpoint.h, and its case is what the compaction sees of a scene: the
- * packing of another seed, size, normal law or pressure is refused, and a run from the file gives the bytes of a run without. */
+ * compaction.mu is above 0, the contacts with their friction, which the shear begins with.
+ * The file is one of base/checkpoint.h, and its case is what the compaction sees of a scene: the packing of another seed, size, normal law or pressure is refused, and a run from the file gives the bytes of a run without. */
 #ifndef TR_STUDY_PACKING_H
 #define TR_STUDY_PACKING_H
 

@@ -2,6 +2,7 @@
 /* A run that starts from a packing in a file gives the bytes of a run that compacts its own; the packing is of the seed, sizes,
  * normal law and compaction alone; what is not it is refused. */
 #include "assert_close.h"
+#include "base/checkpoint.h"
 #include "laws/law.h"
 #include "study/packing.h"
 
@@ -84,6 +85,49 @@ static void test_the_same_bytes(void **state) {
 static void test_the_same_bytes_in_a_cell(void **state) {
     (void)state;
     starts_the_same("boundary=periodic");
+}
+
+/* The friction of the compaction goes through the file; where the shear has less, the packing has come to rest with that. */
+static void friction_goes_through(const char *boundary) {
+    const char *const sets[][3] = {{boundary, "compaction.mu=0.3", "contact.mu_r=0"},
+                                   {boundary, "compaction.mu=0.3", "shear.inertial_number=4e-3"},
+                                   {boundary, "compaction.mu=0.3", "contact.mu=0.1"}};
+    for (int i = 0; i < 3; i++) {
+        const char *sample = i < 2 ? file : NULL;
+        must_run("alone", sets[i], 3, NULL);
+        must_run("shared", sets[i], 3, sample);
+        assert_true(i == 1 ? compactions == 0 : compactions > 0);
+        assert_same("alone", "shared");
+    }
+    tr_status st; /* another packing */
+    assert_false(run("shared", sets[2], 3, file, &st));
+    if (!strstr(st.text, "mu: 0.3")) fail_msg("%s", st.text);
+}
+
+static void test_friction_goes_through_the_file(void **state) {
+    (void)state;
+    friction_goes_through("boundary=walls");
+    unlink(file);
+    friction_goes_through("boundary=periodic");
+}
+
+/* A packing with friction of before there were histories in the file: that its text says version 1 is all that counts. */
+static void test_an_old_packing_with_friction(void **state) {
+    (void)state;
+    const char *const sets[] = {"compaction.mu=0.3"};
+    tr_scene scene = scene_with(sets, 1);
+    tr_status st = {0};
+    tr_checkpoint c;
+    char *now = tr_packing_text(&scene, &st), old[8000];
+    assert_true(now && strlen(now) < sizeof old);
+    snprintf(old, sizeof old, "packing: 1%s", strchr(now, '\n'));
+    tr_checkpoint_begin(&c, old, &st);
+    assert_true(tr_checkpoint_write(&c, dir, "sample.bin"));
+    assert_false(run("old", sets, 1, file, &st));
+    assert_int_equal(st.code, TR_FILE);
+    if (!strstr(st.text, "it has `packing: 1`, this one `packing: 2, with friction histories`")) fail_msg("%s", st.text);
+    if (!strstr(st.text, "remove it")) fail_msg("%s", st.text);
+    free(now), tr_scene_free(&scene);
 }
 
 /* And a finished run that was to be replaced is still there. */
@@ -173,6 +217,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(test_the_same_bytes, begin),
         cmocka_unit_test_setup(test_the_same_bytes_in_a_cell, begin),
+        cmocka_unit_test_setup(test_friction_goes_through_the_file, begin),
+        cmocka_unit_test_setup(test_an_old_packing_with_friction, begin),
         cmocka_unit_test_setup(test_another_packing, begin),
         cmocka_unit_test_setup(test_a_damaged_file, begin),
         cmocka_unit_test_setup(test_one_makes_it, begin),
