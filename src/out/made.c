@@ -2,6 +2,7 @@
 #include "out/made.h"
 
 #include "base/alloc.h"
+#include "base/gather.h"
 #include "out/dir.h"
 #include <dirent.h>
 #include <errno.h>
@@ -221,24 +222,23 @@ static bool want(const list *l, const char *dir, const char *name, FILE *names, 
     const char *slash = strchr(name, '/');
     if (slash && is_link(dir, name, (size_t)(slash - name), st)) return false;
     if (list_has(l, name)) return true;
-    return !is_foreign(dir, name, st) && fprintf(names, "%s\n", name) > 0;
+    if (is_foreign(dir, name, st)) return false;
+    fprintf(names, "%s\n", name);
+    return true;
 }
 
 static bool add(const char *dir, const char *name, int frames, tr_status *st) {
     list l;
-    char *text = NULL, frame[32];
-    size_t size;
+    char frame[32];
+    tr_gather names;
     if (!list_read(&l, dir, st)) return false;
-    FILE *names = open_memstream(&text, &size);
-    bool ok = names && (!name || want(&l, dir, name, names, st));
+    bool ok = tr_gather_begin(&names, st) && (!name || want(&l, dir, name, names.stream, st));
     for (int k = 0; ok && k < frames; k++) {
         snprintf(frame, sizeof frame, "frames/%05d.png", k);
-        ok = want(&l, dir, frame, names, st);
+        ok = want(&l, dir, frame, names.stream, st);
     }
-    bool whole = names && !ferror(names);
-    if (names) whole = !fclose(names) && text && whole;
-    if ((!ok || !whole) && !st->code) ok = tr_status_fail(st, TR_FILE, "error: out of memory");
-    if (ok && *text) ok = list_append(&l, dir, text, st);
+    char *text = tr_gather_end(&names, st);
+    ok = ok && text && (!*text || list_append(&l, dir, text, st));
     free(text);
     list_free(&l);
     return ok;

@@ -2,6 +2,7 @@
 #include "out/summary.h"
 
 #include "base/version.h"
+#include <errno.h>
 #include <jansson.h>
 #include <math.h>
 #include <stdio.h>
@@ -35,6 +36,7 @@ static void add(json_t *object, const char *key, double value) {
 }
 
 static json_t *begin(const tr_scene *scene, const char *kind) {
+    errno = 0;
     json_t *o = json_object();
     json_object_set_new(o, "version", json_string(TR_VERSION));
     json_object_set_new(o, "kind", json_string(kind));
@@ -86,6 +88,7 @@ static void add_pipeline(json_t *o, const tr_world *world) {
     json_object_set_new(o, "left_out", out);
 }
 
+/* jansson's calls go on without what they found no memory for; that malloc has found none stays in errno, since begin(). */
 static char *finish(json_t *o, const tr_timing *timing, tr_status *st) {
     json_t *t = json_object();
     add(t, "wall_s", timing->wall_s);
@@ -93,7 +96,7 @@ static char *finish(json_t *o, const tr_timing *timing, tr_status *st) {
     json_object_set_new(o, "timing", t);
     char *text = json_dumps(o, JSON_INDENT(2) | JSON_REAL_PRECISION(15)), *line = NULL;
     json_decref(o);
-    if (!text || asprintf(&line, "%s\n", text) < 0) tr_status_fail(st, TR_FILE, "error: out of memory (summary)");
+    if (!text || errno == ENOMEM || asprintf(&line, "%s\n", text) < 0) tr_status_fail(st, TR_FILE, "error: out of memory (summary)");
     free(text);
     return st->code ? NULL : line;
 }

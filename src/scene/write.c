@@ -2,6 +2,7 @@
 /* tr_scene to case text: the tables again, the other way round. */
 #include "scene/tables.h"
 #include "base/alloc.h"
+#include "base/gather.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -146,20 +147,14 @@ static void write_document(const writer *w) {
 }
 
 char *tr_scene_write(const tr_scene *scene, const tr_param_catalog *catalog, tr_status *st) {
-    char *text = NULL;
-    size_t size;
-    writer w = {scene, catalog, open_memstream(&text, &size)};
-    if (w.out) {
+    tr_gather text;
+    if (!tr_gather_begin(&text, st)) return tr_gather_end(&text, st);
+    writer w = {scene, catalog, text.stream};
+    write_document(&w);
+    for (int i = 0; i < scene->n_more; i++) {
+        fprintf(w.out, "\n---\n");
+        w.scene = &scene->more[i];
         write_document(&w);
-        for (int i = 0; i < scene->n_more; i++) {
-            fprintf(w.out, "\n---\n");
-            w.scene = &scene->more[i];
-            write_document(&w);
-        }
-        bool failed = ferror(w.out);
-        if (fclose(w.out) == 0 && !failed) return text;
     }
-    tr_status_fail(st, TR_FILE, "error: out of memory");
-    free(text);
-    return NULL;
+    return tr_gather_end(&text, st);
 }

@@ -2,6 +2,7 @@
 #include "study/replay.h"
 
 #include "base/alloc.h"
+#include "base/gather.h"
 #include "laws/law.h"
 #include "patch/cut.h"
 #include "study/contact.h"
@@ -67,14 +68,14 @@ static bool choose_laws(tr_replay *r, int elements, tr_status *st) {
             chosen[n++] = law;
     }
     chosen[TR_REPLAY_EXACT] = chosen[TR_REPLAY_OWN] = exact; /* the latter makes room */
-    char *text = NULL;
-    size_t size = 0;
-    FILE *out = open_memstream(&text, &size);
-    if (!out) return tr_status_fail(st, TR_FILE, "error: out of memory");
-    fputs("kind: contact\nbodies: {R1: 1, R2: 1, E: 1, nu: 0}\nlaws:\n", out);
-    for (int i = 0; i < n; i++) write_item(out, r, chosen[i], elements);
-    fputs("path: [{force: 0}]\n", out);
-    bool ok = !fclose(out) && tr_scene_read(&r->contact, "replay", text, size, NULL, 0, tr_laws_catalog(), st);
+    tr_gather scene;
+    if (tr_gather_begin(&scene, st)) {
+        fputs("kind: contact\nbodies: {R1: 1, R2: 1, E: 1, nu: 0}\nlaws:\n", scene.stream);
+        for (int i = 0; i < n; i++) write_item(scene.stream, r, chosen[i], elements);
+        fputs("path: [{force: 0}]\n", scene.stream);
+    }
+    char *text = tr_gather_end(&scene, st);
+    bool ok = text && tr_scene_read(&r->contact, "replay", text, scene.n, NULL, 0, tr_laws_catalog(), st);
     free(text);
     if (!ok) return false;
     tr_scene_contact *item = &r->contact.laws[TR_REPLAY_OWN];
