@@ -10,7 +10,7 @@ OPENMP ?= -fopenmp
 PREFIX ?= /usr/local
 DESTDIR ?=
 
-PKGS  := yaml-0.1 muparser jansson box2d cairo libpng libisal
+PKGS  := yaml-0.1 muparser jansson box2d cairo freetype2 libpng libisal
 FLAGS := -Isrc -Itests -Wall -Wextra -Wpedantic -ffp-contract=off -pthread $(OPENMP) -MMD -MP $(shell pkg-config --cflags $(PKGS) 2>/dev/null)
 # -fno-math-errno -fno-trapping-math let square roots and comparisons become vector code; they change no value.
 C_FLAGS   := -std=c17 -D_GNU_SOURCE -fno-math-errno -fno-trapping-math $(FLAGS) $(CFLAGS)

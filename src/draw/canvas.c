@@ -6,6 +6,7 @@
 #include "base/part.h"
 #include "base/vector.h"
 #include "draw/draw.h"
+#include "draw/font.h"
 #include "draw/pen.h"
 #include <assert.h>
 #include <errno.h>
@@ -22,7 +23,7 @@ static bool sound(const tr_canvas *canvas, tr_status *st) {
 }
 
 /* Takes the surface. */
-static tr_canvas *on(cairo_surface_t *surface, tr_status *st) {
+static tr_canvas *on(cairo_surface_t *surface, const tr_canvas *like, tr_status *st) {
     tr_canvas *canvas = tr_alloc(1, sizeof *canvas, st);
     if (!canvas) return cairo_surface_destroy(surface), NULL;
     canvas->surface = surface;
@@ -36,21 +37,21 @@ static tr_canvas *on(cairo_surface_t *surface, tr_status *st) {
     cairo_font_options_set_hint_metrics(font, CAIRO_HINT_METRICS_OFF);
     cairo_set_font_options(canvas->cr, font);
     cairo_font_options_destroy(font);
-    if (sound(canvas, st)) return canvas;
+    if (sound(canvas, st) && tr_font_give(canvas->cr, like ? like->cr : NULL, st)) return canvas;
     tr_canvas_free(canvas);
     return NULL;
 }
 
 tr_canvas *tr_canvas_create(tr_status *st) {
-    tr_canvas *canvas = on(cairo_image_surface_create(CAIRO_FORMAT_RGB24, TR_FRAME_WIDTH, TR_FRAME_HEIGHT), st);
+    tr_canvas *canvas = on(cairo_image_surface_create(CAIRO_FORMAT_RGB24, TR_FRAME_WIDTH, TR_FRAME_HEIGHT), NULL, st);
     if (!canvas) return NULL;
     assert(cairo_image_surface_get_stride(canvas->surface) == 4 * TR_FRAME_WIDTH);
     return canvas;
 }
 
-tr_canvas *tr_canvas_record(tr_status *st) {
+tr_canvas *tr_canvas_record(const tr_canvas *like, tr_status *st) {
     const cairo_rectangle_t whole = {.width = TR_FRAME_WIDTH, .height = TR_FRAME_HEIGHT};
-    return on(cairo_recording_surface_create(CAIRO_CONTENT_COLOR, &whole), st);
+    return on(cairo_recording_surface_create(CAIRO_CONTENT_COLOR, &whole), like, st);
 }
 
 void tr_canvas_free(tr_canvas *canvas) {

@@ -2,6 +2,7 @@
 /* Strokes and text on a Cairo surface. */
 #include "draw/pen.h"
 
+#include "draw/font.h"
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -76,16 +77,11 @@ static double set_text(cairo_t *cr, double x, double y, double size, const char 
     return x - start;
 }
 
-static void choose_face(cairo_t *cr, bool bold) {
-    cairo_select_font_face(cr, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
-                           bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-}
-
 double tr_pen_width(cairo_t *cr, tr_text at, const char *given) {
     char text[512];
     snprintf(text, sizeof text, "%s", given);
     make_utf8(text);
-    choose_face(cr, at.bold);
+    tr_font_choose(cr, at.bold);
     double width = set_text(cr, 0, 0, at.size, text, INK_NONE);
     cairo_new_path(cr);
     return width;

@@ -133,7 +133,7 @@ bool tr_film_open(tr_film *film, const char *dir, const char *name, int frames, 
     if (!frames) return true;
     char path[TR_PATH];
     if (!tr_dir_make(dir, "frames", st) || !tr_made_add_frames(dir, frames, st) ||
-        !(film->canvas = tr_canvas_record(st)))
+        !(film->canvas = tr_canvas_record(NULL, st)))
         return false;
     if (!tr_video_available())
         tr_run_note(report, "no film: ffmpeg is not installed; frames/ has the pictures");
@@ -145,7 +145,7 @@ bool tr_film_open(tr_film *film, const char *dir, const char *name, int frames, 
 bool tr_film_frame(tr_film *film, tr_status *st) {
     if (!film->crew && !hire(film, st)) return false;
     tr_film_crew *crew = film->crew;
-    tr_canvas *next = wait_for(film, QUEUE - 1, st) ? tr_canvas_record(st) : NULL;
+    tr_canvas *next = wait_for(film, QUEUE - 1, st) ? tr_canvas_record(film->canvas, st) : NULL;
     if (!next) return false;
     pthread_mutex_lock(&crew->lock);
     crew->queue[crew->given++ % QUEUE] = film->canvas;
