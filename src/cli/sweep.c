@@ -109,13 +109,14 @@ static bool run(const tr_grid *g, arguments *a, tr_status *st) {
         return tr_status_fail(st, TR_BAD_CASE, "error: --index is %d, allowed is 0 to %d", a->index, g->n - 1);
     tr_grid_report report;
     a->progress = tr_progress_begin();
-    bool ok = tr_grid_run(g, &o, &report, st);
+    tr_grid_run(g, &o, &report, st);
     tr_progress_end(&a->progress);
-    if (ok || st->code == TR_NUMERICAL)
+    bool tried = report.before + report.ran + report.failed == o.end - o.first;
+    if (tried)
         printf("%-22s %d: %d finished before, %d run now, %d failed\n", "points", o.end - o.first, report.before,
                report.ran, report.failed);
     tr_status collecting = {0}; /* what is there is worth collecting, though some points failed */
-    if (all && (ok || st->code == TR_NUMERICAL) && !collect(g, a, &collecting))
+    if (all && tried && !collect(g, a, &collecting))
         tr_status_fail(st, collecting.code, "%s", collecting.text);
     return !st->code;
 }

@@ -113,11 +113,12 @@ typedef struct tr_grid_options {
 
 typedef struct tr_grid_report {
     int before, ran, failed; /* points finished before, run now, failed now */
+    tr_code code;            /* of those that failed, the lowest */
 } tr_grid_report;
 
 /* Runs what is missing, each point as a child process of this same program. All are read, and those of the first seed checked,
  * before the first one runs. Packings go to dir/samples, and points that compact the same one share it. Points that fail are told by
- * `say`, and counted, and in the end TR_NUMERICAL; they do not stop the others. */
+ * `say`, and counted, and in the end their lowest code; they do not stop the others. */
 bool tr_grid_run(const tr_grid *g, const tr_grid_options *options, tr_grid_report *report, tr_status *st);
 
 /* Writes, from the summaries of all finished points, dir/points.csv: a row of each with its numbers; and dir/collect.csv: for each

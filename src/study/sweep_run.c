@@ -88,10 +88,9 @@ static pid_t start(const tr_grid *g, const order *what, tr_status *st) {
     return pid;
 }
 
-static bool fail(runner *r, int point, const char *what) {
-    r->report->failed++;
+static void fail(runner *r, int point, tr_code code, const char *what) {
+    if (!r->report->failed++ || code < r->report->code) r->report->code = code;
     say(r, point, "%s", what);
-    return true;
 }
 
 /* DIR/samples/HASH.bin: points that compact the same sample share it. "" for other kinds. */
@@ -146,6 +145,12 @@ static void read_error(const char *dir, const char *name, int status, char *text
         snprintf(text, size, "error: exit code %d", WEXITSTATUS(status));
 }
 
+/* Of a run that did not finish. Ended by a signal, for want of memory as a rule, or not by itself, it could not go on: TR_FILE. */
+static tr_code code_of(int status) {
+    int code = WIFEXITED(status) ? WEXITSTATUS(status) : TR_FILE;
+    return code == TR_BAD_CASE || code == TR_NUMERICAL ? (tr_code)code : TR_FILE;
+}
+
 /* Whether a point is finished is told by its directory alone. */
 static void end(runner *r, job *j, int status) {
     char name[TR_POINT_NAME], text[1024];
@@ -156,7 +161,7 @@ static void end(runner *r, job *j, int status) {
         r->report->ran++;
     } else if (!stopped(r)) {
         read_error(r->o->dir, name, status, text, sizeof text);
-        fail(r, j->point, inner.code ? inner.text : text);
+        fail(r, j->point, inner.code ? inner.code : code_of(status), inner.code ? inner.text : text);
     }
     *j = (job){0};
     r->running--;
@@ -236,7 +241,7 @@ bool tr_grid_run(const tr_grid *g, const tr_grid_options *o, tr_grid_report *rep
         tr_status_fail(st, TR_INTERRUPTED, "stopped: %d of %d points are finished; the same command goes on",
                        report->before + report->ran, o->end - o->first);
     if (report->failed)
-        tr_status_fail(st, TR_NUMERICAL, "error: %d of %d points failed; what each said is in %s/POINT/log",
+        tr_status_fail(st, report->code, "error: %d of %d points failed; what each said is in %s/POINT/log",
                        report->failed, o->end - o->first, o->dir);
     return !st->code;
 }

@@ -179,12 +179,15 @@ check 'which one, and why' grep -q '^point 4 (k_n=1.2_MPa,seed=5-.*): error: ' s
 check 'its log has the same' grep -q '^error' fails/k_n=1.2_MPa,seed=5-*/log
 check 'collected over those that are there' grep -q '^1.2 MPa,sin_phi_peak,,0,,,,$' fails/collect.csv
 check 'and of the others' grep -q '^100 MPa,sin_phi_peak,,3,0' fails/collect.csv
+mkdir -p "$(echo fails/k_n=1.2_MPa,seed=5-*)" && echo mine >"$(echo fails/k_n=1.2_MPa,seed=5-*)/history.csv"
+check 'one of them for a file in the way: the lower code, 3' sweep_gives 3 fails.yaml -o fails -j 2
+check 'the others as before' says stdout '9: 6 finished before, 0 run now, 3 failed'
 held() { # another process has this point
     mkdir -p held/mu_r=0,rolling_velocity=wang,seed=3
     flock held/mu_r=0,rolling_velocity=wang,seed=3 "$TRUNDLE" sweep sweep.yaml -o held --index 0 2>stderr
-    [ $? -eq 4 ] && says stderr 'another run writes into held/mu_r=0'
+    [ $? -eq 3 ] && says stderr 'another run writes into held/mu_r=0'
 }
-check 'a point that another process runs' held
+check 'a point that another process runs: code 3' held
 slow_victim() { # one of three runs, which would take minutes, is killed from outside
     sed 's/^vary.*/vary: {shear.inertial_number: [1e-7, 2e-3, 3e-3]}/; s/seeds.*/seeds: [3]/; /compare/d' sweep.yaml >slow.yaml
     "$TRUNDLE" sweep slow.yaml -o victim -j 2 >stdout 2>stderr </dev/null &
@@ -192,9 +195,9 @@ slow_victim() { # one of three runs, which would take minutes, is killed from ou
     wait_for test -e victim/inertial_number=3e-3,seed=3/summary.json
     kill_processes 'run .*-o victim/inertial_number=1e-7'
     wait "$pid"
-    [ $? -eq 4 ] && says stderr 'point 0 (inertial_number=1e-7,seed=3): error: ended by signal 9' && equals "$(summaries victim)" 2
+    [ $? -eq 3 ] && says stderr 'point 0 (inertial_number=1e-7,seed=3): error: ended by signal 9' && equals "$(summaries victim)" 2
 }
-check 'a run that is killed fails alone' slow_victim
+check 'a run that is killed fails alone: code 3' slow_victim
 check 'a point with all its helpers' env PATH="$everything" timeout 60 "$TRUNDLE" sweep sweep.yaml -o curves --index 0
 
 # ---- kinds without a sample ----
