@@ -25,7 +25,7 @@ LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o)
 CLI_OBJ  := $(CLI_SRC:%=$(BUILD)/%.o)
 TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all biaxial figures wang kuhn kuhn-film bands replay features bench bench-peers demos gallery verify test mutate test-slurm install asan lint format clean help packages-% build-all run-demos run-tests
+.PHONY: all biaxial figures wang kuhn kuhn-film bands replay features bench bench-peers demos gallery verify test mutate faults test-slurm install asan lint format clean help packages-% build-all build-faults run-demos run-tests
 .SECONDARY:
 
 all: packages-build
@@ -114,6 +114,12 @@ mutate: packages-test
 	@$(MAKE) --no-print-directory build-all
 	tests/mutate/mutate.sh
 
+# Every allocation and every call to the system that fails, one at a time: an hour or two. STRIDE=10 takes a tenth of them; make test a part.
+STRIDE ?= 1
+faults: packages-test
+	@$(MAKE) --no-print-directory build-all build-faults
+	tests/faults/faults.sh $(TRUNDLE) $(BUILD)/tests/faults $(STRIDE)
+
 # The job array of cases/cluster/ on a Slurm of one node that the test brings up; needs root.
 test-slurm: packages-slurm
 	@$(MAKE) --no-print-directory build-all
@@ -143,6 +149,7 @@ clean:
 help:
 	@echo 'make biaxial   install what is missing, build, run the biaxial test of cases/biaxial.yaml'
 	@echo 'make test      install what is missing, build, run all tests; last line: N passed, N failed'
+	@echo 'make faults    in runs of every kind each allocation and each call to the system fails in turn; an hour or two, STRIDE=10 for a tenth'
 	@echo 'make figures   build, and draw figures/*.gp with their data into out/figures/ (needs gnuplot); then make wang and make bands'
 	@echo 'make features  build, measure what each feature and each law costs, and draw it: out/figures/features.png'
 	@echo 'make wang      build, sweep the biaxial test as Wang did, and judge each claim: out/wang/; SEEDS=3 for a minute of it'
@@ -193,6 +200,15 @@ $(BUILD)/tests/core/test_allocation: LDFLAGS += -Wl,--wrap=malloc,--wrap=aligned
 # In this one calls fail.
 $(BUILD)/tests/base/test_checkpoint: LDFLAGS += -Wl,--wrap=openat,--wrap=write,--wrap=fsync,--wrap=close,--wrap=renameat,--wrap=unlinkat
 
+# What lets calls fail in a program as it is, tests/faults/.
+build-faults: $(BUILD)/tests/faults/memory.so $(BUILD)/tests/faults/calls
+$(BUILD)/tests/faults/memory.so: tests/faults/memory.c
+	@mkdir -p $(@D)
+	$(CC) -std=c17 -D_GNU_SOURCE -Wall -Wextra -Wpedantic -O1 -shared -fPIC -o $@ $<
+$(BUILD)/tests/faults/calls: tests/faults/calls.c
+	@mkdir -p $(@D)
+	$(CC) -std=c17 -D_GNU_SOURCE -Wall -Wextra -Wpedantic -O1 -o $@ $<
+
 # A figure is figures/NAME.sh, which writes its data as CSV, and figures/NAME.gp, which draws them.
 define draw
 	gnuplot -d -e 'csv = "$(@:.png=.csv)"; set output "$(@:.png=.svg)"' \
@@ -229,7 +245,7 @@ $(OUT)/demos/%.done: cases/%.yaml $(TRUNDLE)
 $(OUT)/gallery/index.html: $(wildcard figures/gallery/* $(OUT)/demos/*/summary.json)
 	figures/gallery/build.sh $(OUT)/demos $(OUT)/gallery $(DEMOS)
 
-run-tests: $(TRUNDLE) $(TESTS)
-	@tests/run $(TRUNDLE) $(TESTS)
+run-tests: $(TRUNDLE) $(TESTS) build-faults
+	@FAULTS=$(abspath $(BUILD)/tests/faults) tests/run $(TRUNDLE) $(TESTS)
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -46,8 +46,8 @@ typedef struct tr_canvas tr_canvas;
 tr_canvas *tr_canvas_create(tr_status *st);
 
 /* A canvas without pixels, which only keeps the strokes: a tenth of the time of drawing. To replay gives the pixels that drawing
- * would have given, later and by any thread: what the view pointed to may be gone. It is for one picture, and for nothing but to be replayed.
- * like: the canvas before, or NULL; it takes the letters of that. */
+ * would have given, later and by any thread: what the view pointed to may be gone. It is for one picture, and for nothing but to be
+ * replayed. like: the canvas before, or NULL; it takes the letters of that. */
 tr_canvas *tr_canvas_record(const tr_canvas *like, tr_status *st);
 bool tr_canvas_replay(tr_canvas *canvas, const tr_canvas *strokes, tr_status *st);
 void tr_canvas_free(tr_canvas *canvas);

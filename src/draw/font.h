@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The letters of all pictures, from the files of DejaVu Sans, by FreeType and without fontconfig: that ends the program where memory
- * is short, and what a machine has configured must not change the pixels. Where the files are not, Cairo chooses a font. */
+/* The letters of all pictures, from the files of DejaVu Sans, by FreeType and without fontconfig: that ends the program
+ * where memory is short, and what a machine has configured must not change the pixels. Where the files are not, Cairo
+ * chooses a font. */
 #ifndef TR_FONT_H
 #define TR_FONT_H
 

@@ -88,7 +88,7 @@ static void add_pipeline(json_t *o, const tr_world *world) {
     json_object_set_new(o, "left_out", out);
 }
 
-/* jansson's calls go on without what they found no memory for; that malloc has found none stays in errno, since begin(). */
+/* jansson's calls go on without what they found no memory for. That malloc found none since begin() stays in errno. */
 static char *finish(json_t *o, const tr_timing *timing, tr_status *st) {
     json_t *t = json_object();
     add(t, "wall_s", timing->wall_s);
@@ -96,7 +96,8 @@ static char *finish(json_t *o, const tr_timing *timing, tr_status *st) {
     json_object_set_new(o, "timing", t);
     char *text = json_dumps(o, JSON_INDENT(2) | JSON_REAL_PRECISION(15)), *line = NULL;
     json_decref(o);
-    if (!text || errno == ENOMEM || asprintf(&line, "%s\n", text) < 0) tr_status_fail(st, TR_FILE, "error: out of memory (summary)");
+    if (!text || errno == ENOMEM || asprintf(&line, "%s\n", text) < 0)
+        tr_status_fail(st, TR_FILE, "error: out of memory (summary)");
     free(text);
     return st->code ? NULL : line;
 }

@@ -145,7 +145,7 @@ static void read_error(const char *dir, const char *name, int status, char *text
         snprintf(text, size, "error: exit code %d", WEXITSTATUS(status));
 }
 
-/* Of a run that did not finish. Ended by a signal, for want of memory as a rule, or not by itself, it could not go on: TR_FILE. */
+/* Of a run that did not finish. One that a signal has ended counts as one without memory: TR_FILE. */
 static tr_code code_of(int status) {
     int code = WIFEXITED(status) ? WEXITSTATUS(status) : TR_FILE;
     return code == TR_BAD_CASE || code == TR_NUMERICAL ? (tr_code)code : TR_FILE;

@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: MIT */
+/* LD_PRELOAD: allocation number FAULT_AT fails, in the program `trundle` alone, not in what it starts.
+ * FAULT_COUNT: file for the number of allocations. */
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+extern void *__libc_malloc(size_t), *__libc_calloc(size_t, size_t), *__libc_realloc(void *, size_t);
+extern void *__libc_memalign(size_t, size_t);
+
+static long count, at;
+static int active;
+
+__attribute__((constructor)) static void begin(void) {
+    const char *number = getenv("FAULT_AT");
+    if (strcmp(program_invocation_short_name, "trundle") != 0) return;
+    at = number ? atol(number) : 0;
+    unsetenv("LD_PRELOAD");
+    active = 1;
+}
+
+__attribute__((destructor)) static void end(void) {
+    const char *path = getenv("FAULT_COUNT");
+    int file = active && path ? open(path, O_WRONLY | O_CREAT | O_TRUNC, 0666) : -1;
+    active = 0;
+    if (file < 0) return;
+    dprintf(file, "%ld\n", count);
+    close(file);
+}
+
+static int fails(void) {
+    long k = active ? __atomic_add_fetch(&count, 1, __ATOMIC_RELAXED) : -1;
+    if (k < 0 || k != at) return 0;
+    errno = ENOMEM;
+    return 1;
+}
+
+void *malloc(size_t size) {
+    return fails() ? NULL : __libc_malloc(size);
+}
+
+void *calloc(size_t n, size_t size) {
+    return fails() ? NULL : __libc_calloc(n, size);
+}
+
+void *realloc(void *old, size_t size) {
+    return fails() ? NULL : __libc_realloc(old, size);
+}
+
+void *memalign(size_t alignment, size_t size) {
+    return fails() ? NULL : __libc_memalign(alignment, size);
+}
+
+void *aligned_alloc(size_t alignment, size_t size) {
+    return fails() ? NULL : __libc_memalign(alignment, size);
+}
+
+int posix_memalign(void **p, size_t alignment, size_t size) {
+    void *memory = fails() ? NULL : __libc_memalign(alignment, size);
+    if (memory) *p = memory;
+    return memory ? 0 : ENOMEM;
+}
