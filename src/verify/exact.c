@@ -152,6 +152,8 @@ const tr_verification tr_verify_exact[] = {
      "rolling_star_constant_torque.c: sign of friction's torque", tr_exact_sign_laws},
     {"exact", "conjugate-pair", "bagi-kuhn-conjugate on disks of unequal radii", "power; eigenvalue of two springs",
      "rolling_bagi_kuhn_conjugate.c: sign of `along`; a lever that is not halved", tr_exact_conjugate},
+    {"exact", "rolling-store", "work that loads a rolling spring", "work of the moments",
+     "rolling_star_displacement_damping.c: the energy doubled", tr_exact_rolling_store},
     {"exact", "rolling-share", "share of rolling in the motion of contacts", "rigid motion",
      "measures.c: sliding left out", tr_exact_rolling_share},
     {"exact", "turning-gravity", "a disk that falls while gravity turns", "integral of gravity",

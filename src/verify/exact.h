@@ -34,14 +34,14 @@ tr_verify_this tr_exact_step_bound;
 tr_verify_this tr_exact_dahlberg, tr_exact_cattaneo, tr_exact_kuhn_creep, tr_exact_vu_quoc; /* exact_paths.c */
 tr_verify_this tr_exact_contact_size, tr_exact_fig_5;                                       /* exact_kuhn.c */
 tr_verify_this tr_exact_patch_cattaneo, tr_exact_patch_carter, tr_exact_patch_kalker,
-    tr_exact_patch_brush;                            /* exact_patch.c */
-tr_verify_this tr_exact_claims, tr_exact_cycle;      /* exact_claims.c */
-tr_verify_this tr_exact_observers, tr_exact_errata;  /* exact_motions.c */
-tr_verify_this tr_exact_collision, tr_exact_packing; /* exact_balance.c */
-tr_verify_this tr_exact_cell, tr_exact_drag, tr_exact_hold; /* exact_cell.c */
+    tr_exact_patch_brush;                                                          /* exact_patch.c */
+tr_verify_this tr_exact_claims, tr_exact_cycle;                                    /* exact_claims.c */
+tr_verify_this tr_exact_observers, tr_exact_errata;                                /* exact_motions.c */
+tr_verify_this tr_exact_collision, tr_exact_packing;                               /* exact_balance.c */
+tr_verify_this tr_exact_cell, tr_exact_drag, tr_exact_hold;                        /* exact_cell.c */
 tr_verify_this tr_exact_patch_loads, tr_exact_patch_reversed, tr_exact_patch_slip; /* exact_loads.c */
-tr_verify_this tr_exact_bed_energy, tr_exact_creep_books; /* exact_bed.c */
-tr_verify_this tr_exact_sign_laws, tr_exact_conjugate, tr_exact_rolling_share,
+tr_verify_this tr_exact_bed_energy, tr_exact_creep_books;                          /* exact_bed.c */
+tr_verify_this tr_exact_sign_laws, tr_exact_conjugate, tr_exact_rolling_store, tr_exact_rolling_share,
     tr_exact_turning_gravity; /* exact_turns.c */
 
 #endif

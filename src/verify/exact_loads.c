@@ -5,6 +5,7 @@
  *   oblique   Loaded from 0 with Q = l P, l < mu, nothing slips: tau = l p, the sliding is l delta(P) [Mindlin1953].
  *   released  Pushed to Q, then P falls. The edge of stick only ever goes inward, so the traction is Cattaneo's of the
  *             last P and of Q, and the sliding is mu (delta(P) - delta(P - Q/mu)).
+ *   rolled    Then P grows by a millionth: nothing jumps.
  *   reversed  Carter's traction for rolling along -x, entered at x = a: that of rolling along x, mirrored. With c =
  *             sqrt(1 - q), y = X + 1 - c:
  *             tau/(mu p0) = sqrt(1 - X^2) - c sqrt(1 - (y/c)^2),   slip/|dr| = (mu a/R) sqrt(y^2 - c^2)
@@ -16,6 +17,7 @@
 #include "patch/cattaneo.h"
 #include "patch/half_plane.h"
 #include <stdio.h>
+#include <string.h>
 
 static const tr_patch_pair pair = {.R_star = 0.012, .E_star = 3e9, .d = 0.02, .mu = 0.35};
 static const double P = 2e5;
@@ -87,9 +89,29 @@ static bool released(int steps, wrong *w, tr_status *st) {
     return ok;
 }
 
+/* Rolled on by 4a, then P grows by a millionth and nothing moves: how far the traction is off that of before, mean
+ * over mu p0. */
+static bool held(double *off, tr_status *st) {
+    enum { N = 100 };
+    const double a = width(P), h = 2 * a / N, xi = 0.4 * pair.mu * a / pair.R_star;
+    double before[N];
+    tr_half_plane *o = tr_half_plane_new(&pair, N, st);
+    bool ok = o;
+    for (int i = 0; ok && i < 2 * N; i++)
+        ok = tr_half_plane_step(o, &(tr_patch_step){.P = P, .dr = h, .du = xi * h}, st);
+    const tr_patch_state *s = ok ? tr_half_plane_state(o) : NULL;
+    if (ok) memcpy(before, s->tau, sizeof before);
+    ok = ok && tr_half_plane_step(o, &(tr_patch_step){.P = P * (1 + 1e-6)}, st);
+    *off = 0;
+    for (int i = 0; ok && i < N; i++) *off += fabs(s->tau[i] - before[i]) / (N * pair.mu * 2 * P / (M_PI * a));
+    tr_half_plane_free(o);
+    return ok;
+}
+
 bool tr_exact_patch_loads(tr_verify *v, tr_status *st) {
     static const char reason[] = "first order: edges move on by an element in a step, N = 100";
     wrong w[2];
+    double off;
     for (int k = 0; k < 2; k++)
         if (!tr_verify_go_on(v, st) || !oblique(50 << k, &w[k], st)) return false;
     if (!tr_exact_row(v, "oblique: traction, mean error", "1", w[1].tau, 0, 0.01, log2(w[0].tau / w[1].tau), reason,
@@ -100,7 +122,10 @@ bool tr_exact_patch_loads(tr_verify *v, tr_status *st) {
     for (int k = 0; k < 2; k++)
         if (!tr_verify_go_on(v, st) || !released(50 << k, &w[k], st)) return false;
     return tr_exact_row(v, "P falls: traction, mean error", "1", w[1].tau, 0, 0.01, NAN, reason, st) &&
-           tr_exact_row(v, "P falls: sliding, relative error", "1", w[1].du, 0, 0.01, NAN, reason, st);
+           tr_exact_row(v, "P falls: sliding, relative error", "1", w[1].du, 0, 0.01, NAN, reason, st) &&
+           held(&off, st) &&
+           tr_exact_row(v, "rolled, then P grows by 1e-6: traction changes by", "1", off, 0, 1e-4, NAN,
+                        "1e-6 times the number of elements", st);
 }
 
 /* ---- Carter, rolling the other way */

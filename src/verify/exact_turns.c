@@ -7,6 +7,7 @@
  *              Vt/L). And the swing of a pair of unequal free disks: V_s and V_r are linear in (y1, y2, w1, w2), g_s =
  *              (-1, 1, r1, r2), g_r = (-e, e, R1/2, -R2/2), e = (R1 - R2)/(2L); the largest eigenvalue of M^-1 (k_t
  *              g_s g_s' + k_r g_r g_r') is w^2, the limit of the step 2/w.
+ *   store      A rolling spring holds the work that loads it.
  *   share      Of two contacts that roll and slide: sum |V_r|/sum (|V_r| + |V_s|).
  *   gravity    turns at the rate w from g0: v = (1/w) (sin wt, cos wt - 1; 1 - cos wt, sin wt) g0. */
 #include "verify/exact.h"
@@ -120,6 +121,42 @@ bool tr_exact_conjugate(tr_verify *v, tr_status *st) {
                                 "rounding of the normal force that is taken off", st);
     free(p);
     return ok && limit_row(v, 0.03, st) && limit_row(v, 0.005, st);
+}
+
+/* ---- what a rolling spring stores */
+
+/* Loaded from rest, below its bound, at constant force: the store over the work of the bodies, less 1, largest. */
+static double store_off(tr_pairs_tile *p) {
+    const double dt = 1e-6;
+    const tr_tile *t = &p->tile;
+    double before[TR_PAIRS][2] = {{0}}, work[TR_PAIRS] = {0}, most = 0;
+    tr_lane energy, bound;
+    for (int step = 0; step < 10; step++) {
+        for (int i = 0; i < TR_PAIRS; i++)
+            tr_pairs_drive(p, i, (tr_pair_motion){.delta = 0.05, .w1 = 1 + 0.1 * i, .w2 = -0.5 * i});
+        tr_pairs_run(p, dt);
+        for (int i = 0; i < TR_PAIRS; i++) {
+            const double now[2] = {t->q1[i], t->q2[i]}, w[2] = {t->w1[i], t->w2[i]};
+            for (int k = 0; k < 2; k++) work[i] -= 0.5 * (before[i][k] + now[k]) * w[k] * dt, before[i][k] = now[k];
+        }
+    }
+    const tr_law_data d = {.par = p->par[TR_ROLLING_SLOT], .hist = p->hist_at[TR_ROLLING_SLOT]};
+    p->law[TR_ROLLING_SLOT]->state(t, &d, energy, bound);
+    for (int i = 0; i < TR_PAIRS; i++) most = fmax(most, fabs(energy[i] / work[i] - 1));
+    return most;
+}
+
+bool tr_exact_rolling_store(tr_verify *v, tr_status *st) {
+    static const char *const law[] = {"wang-spring", "bagi-kuhn-conjugate", "star-displacement-damping"};
+    tr_pairs_tile *p = tr_alloc(1, sizeof *p, st);
+    bool ok = p;
+    for (int k = 0; k < 3 && ok; k++) {
+        tr_pairs_set(p, TR_ROLLING_SLOT, rolling(law[k]));
+        ok = tr_exact_row(v, law[k], "1", store_off(p), 0, 1e-11, NAN, "rounding: the mean of a linear force is exact",
+                          st);
+    }
+    free(p);
+    return ok;
 }
 
 /* ---- the share of rolling */
