@@ -154,7 +154,7 @@ const tr_verification tr_verify_exact[] = {
      "rolling_bagi_kuhn_conjugate.c: sign of `along`; a lever that is not halved", tr_exact_conjugate},
     {"exact", "rolling-store", "work that loads a rolling spring", "work of the moments",
      "rolling_star_displacement_damping.c: the energy doubled", tr_exact_rolling_store},
-    {"exact", "rolling-share", "share of rolling in the motion of contacts", "rigid motion",
+    {"exact", "rolling-share", "measures of two pairs: share of rolling, coordination", "rigid motion",
      "measures.c: sliding left out", tr_exact_rolling_share},
     {"exact", "turning-gravity", "a disk that falls while gravity turns", "integral of gravity",
      "bodies.c: turned the other way", tr_exact_turning_gravity},

@@ -159,14 +159,15 @@ bool tr_exact_rolling_store(tr_verify *v, tr_status *st) {
     return ok;
 }
 
-/* ---- the share of rolling */
+/* ---- measures of two pairs that only touch each other */
 
 bool tr_exact_rolling_share(tr_verify *v, tr_status *st) {
-    static const double spin[4] = {3, -1, 5, 2}, R[4] = {0.01, 0.02, 0.015, 0.01}, lap = 1e-4;
+    static const double spin[4] = {3, 1, 5, 2}, R[4] = {0.01, 0.02, 0.015, 0.01}, lap = 1e-4;
     tr_world w;
     tr_record *records = NULL;
     int capacity = 0, n = 0;
-    double rolled = 0, slid = 0, share = NAN;
+    double rolled = 0, slid = 0;
+    tr_measures m = {.rolling_share = NAN};
     bool ok = tr_world_init(&w, 4, TR_SHAPE_DISK, st);
     for (int i = 0; i < 4 && ok; i++) {
         tr_world_set_disk(&w, i, i % 2 ? R[i - 1] + R[i] - lap : 0, i / 2, 0, R[i], 1000, true);
@@ -175,15 +176,20 @@ bool tr_exact_rolling_share(tr_verify *v, tr_status *st) {
     w.dt = 1e-6;
     ok = ok && tr_exact_laws(&w, "k_n: 1e6, mu: 0.5, rolling: wang-spring, mu_r: 0.5", 0, st) && tr_step_forces(&w, st);
     if (ok) n = tr_record_all(&w, &records, &capacity, st);
-    if (n == 2) share = tr_measures_of(&w, records, n).rolling_share;
+    if (n == 2) m = tr_measures_of(&w, records, n);
     for (int i = 0; i < 4; i += 2) {
         double L = R[i] + R[i + 1] - lap, arm = R[i] * L / (R[i] + R[i + 1]);
         rolled += fabs(R[i] * R[i + 1] / (R[i] + R[i + 1]) * (spin[i] - spin[i + 1]));
         slid += fabs(arm * spin[i] + (L - arm) * spin[i + 1]);
     }
     free(records), tr_world_free(&w);
-    return ok && tr_exact_row(v, "|V_r|/(|V_r| + |V_s|) over two contacts", "1", share, rolled / (rolled + slid), 1e-12,
-                              NAN, "rounding", st);
+    return ok &&
+           tr_exact_row(v, "|V_r|/(|V_r| + |V_s|) over two contacts", "1", m.rolling_share, rolled / (rolled + slid),
+                        1e-12, NAN, "rounding", st) &&
+           tr_exact_row(v, "share whose rims run against each other, s1 s2 < 0", "1", m.opposed_fraction, 1, 0, NAN,
+                        "all turn the same way", st) &&
+           tr_exact_row(v, "coordination number", "1", m.coordination, 1, 0, NAN, "one contact each", st) &&
+           tr_exact_row(v, "unbalanced ratio", "1", m.unbalanced, 1, 1e-15, NAN, "the contact is all that pushes", st);
 }
 
 /* ---- gravity that turns */
