@@ -166,7 +166,7 @@ bool tr_exact_rolling_share(tr_verify *v, tr_status *st) {
     tr_world w;
     tr_record *records = NULL;
     int capacity = 0, n = 0;
-    double rolled = 0, slid = 0;
+    double rolled = 0, slid = 0, place = NAN;
     tr_measures m = {.rolling_share = NAN};
     bool ok = tr_world_init(&w, 4, TR_SHAPE_DISK, st);
     for (int i = 0; i < 4 && ok; i++) {
@@ -176,7 +176,7 @@ bool tr_exact_rolling_share(tr_verify *v, tr_status *st) {
     w.dt = 1e-6;
     ok = ok && tr_exact_laws(&w, "k_n: 1e6, mu: 0.5, rolling: wang-spring, mu_r: 0.5", 0, st) && tr_step_forces(&w, st);
     if (ok) n = tr_record_all(&w, &records, &capacity, st);
-    if (n == 2) m = tr_measures_of(&w, records, n);
+    if (n == 2) m = tr_measures_of(&w, records, n), place = records[0].x;
     for (int i = 0; i < 4; i += 2) {
         double L = R[i] + R[i + 1] - lap, arm = R[i] * L / (R[i] + R[i + 1]);
         rolled += fabs(R[i] * R[i + 1] / (R[i] + R[i + 1]) * (spin[i] - spin[i + 1]));
@@ -188,6 +188,8 @@ bool tr_exact_rolling_share(tr_verify *v, tr_status *st) {
                         1e-12, NAN, "rounding", st) &&
            tr_exact_row(v, "share whose rims run against each other, s1 s2 < 0", "1", m.opposed_fraction, 1, 0, NAN,
                         "all turn the same way", st) &&
+           tr_exact_row(v, "place of a contact, from the first centre", "m", place,
+                        R[0] * (R[0] + R[1] - lap) / (R[0] + R[1]), 1e-16, NAN, "rounding", st) &&
            tr_exact_row(v, "coordination number", "1", m.coordination, 1, 0, NAN, "one contact each", st) &&
            tr_exact_row(v, "unbalanced ratio", "1", m.unbalanced, 1, 1e-15, NAN, "the contact is all that pushes", st);
 }
