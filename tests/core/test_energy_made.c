@@ -164,7 +164,7 @@ static void friction_makes_none_while_the_normal_force_changes(void **state) {
     new_world(&w, 2);
     tr_world_set_disk(&w, 0, 0, 0, 0, 0.01, 1000, true);
     tr_world_set_disk(&w, 1, 0, 0.02 - 2e-5, 0, 0.01, 1000, true);
-    set_laws(&w, (test_laws){.k_n = k_n, .damping_ratio = 0.3, .mu = 0.5, .k_t = 0.5 * k_n}, TR_SINK_LEDGER);
+    set_laws(&w, (test_laws){.k_n = k_n, .mu = 0.5, .k_t = 0.5 * k_n}, TR_SINK_LEDGER);
     w.dt = 1e-4, w.allow_unstable = true;
     forces(&w), tr_ledger_begin(&w);
     for (int k = 0; k < 4000; k++) {
@@ -174,7 +174,7 @@ static void friction_makes_none_while_the_normal_force_changes(void **state) {
         tr_step_advance(&w), forces(&w);
     }
     tr_energy e = tr_ledger_read(&w);
-    assert_true(e.friction > 1e-5 && e.damped > 0);
+    assert_true(e.friction > 1e-5);
     /* 4000 steps, each rounded at the size of what is in the spring, which is below what was lost */
     assert_close(e.made[TR_FRICTION], 0, 0, 1e-12 * e.friction);
     assert_true(e.made[TR_NORMAL] == 0);
