@@ -213,6 +213,11 @@ bool tr_replay_read(tr_replay *r, const char *run, tr_status *st) {
     if (r->scene.kind != TR_KIND_BIAXIAL || r->scene.shape != TR_SHAPE_DISK || !r->scene.output.path_rows)
         return tr_status_fail(st, TR_BAD_CASE,
                               "%.480s:1: error: a replay is of disks, kind: biaxial, with output.path_rows", path);
+    if (r->scene.compaction.mu > 0) /* what a contact brings with it is not in its path */
+        return tr_status_fail(st, TR_BAD_CASE,
+                              "%.480s:1: error: a replay is of contacts that start without friction: it takes a run "
+                              "with compaction.mu: 0, not %g",
+                              path, r->scene.compaction.mu);
     if (!check_finished(run, st)) return false;
     const tr_csv_format format = {columns, COLUMNS, COLUMNS, "time_s,life,a,b,...", NULL, cell, row};
     if (!tr_dir_path(path, run, "paths.csv", st) || !tr_csv_read(path, &format, &in, st)) return false;

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Assemblies: the biaxial test of 40 disks from soft to hard, and with laws of friction whose slope is infinite at Q = mu P.
  *
- * The right answer is a test that ends with 0 < sin(phi) < 1 and closes its ledger to 2 % of the work of the walls. Walls that start
- * at speed send a wave of rho c v = p I sqrt(k_n/p) (height/d) into the sample: hard samples are stronger for that long. k_n = 10 p
+ * The right answer is a test that ends with 0 < sin(phi) < 1 and closes its ledger to 2 % of the work of the walls. k_n = 10 p
  * presses the contacts of force chains deeper than the 0.3 R that a law may be asked for: it must stop, name one, and say from
  * which k_n it would hold. In between, up to some 300 p, it depends on the sample how deep its contacts are. */
 #include "base/alloc.h"
