@@ -101,12 +101,12 @@ static void test_the_driven_sides_start_smoothly(void **state) {
 /* ---- the servo */
 
 /* Rows as those of cases/biaxial.yaml: of 5e-4 strain at I = 1e-3. From 1 % of strain on none is off by more than 5 %. */
-static void holds(uint64_t seed, tr_boundary boundary, tr_hold hold) {
+static void holds(uint64_t seed, tr_boundary boundary, tr_hold hold, double strain_end) {
     tr_scene scene = scene_of(400, seed, boundary, hold);
     tr_biaxial b;
     double worst = 0, next = 0.01, sum = 0;
     int rows = 0;
-    scene.shear.strain_end = 0.06, scene.step.safety = 0.4, scene.output.energy = false;
+    scene.shear.strain_end = strain_end, scene.step.safety = 0.4, scene.output.energy = false;
     compact(&b, &scene), begin_shear(&b);
     for (int64_t k = 0; k <= b.shear_steps; k++) {
         shear_forces(&b);
@@ -129,10 +129,10 @@ static void holds(uint64_t seed, tr_boundary boundary, tr_hold hold) {
 static void test_held_within_5_percent_from_row_to_row(void **state) {
     (void)state;
     for (uint64_t seed = 1; seed <= 2; seed++) {
-        holds(seed, TR_WALLS, TR_HOLD_LATERAL);
-        holds(seed, TR_PERIODIC, TR_HOLD_LATERAL);
-        holds(seed, TR_PERIODIC, TR_HOLD_MEAN);
+        holds(seed, TR_PERIODIC, TR_HOLD_LATERAL, 0.06);
+        holds(seed, TR_PERIODIC, TR_HOLD_MEAN, 0.06);
     }
+    holds(1, TR_WALLS, TR_HOLD_LATERAL, 0.12); /* walls swing when the packing gives way, beyond the peak */
 }
 
 static bool shear_at(double I, tr_boundary boundary, tr_hold hold, tr_status *st) {

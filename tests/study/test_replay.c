@@ -520,6 +520,13 @@ static void an_unfinished_run_is_refused(void **state) {
     assert_int_equal(fails("bad", NULL, "bad has no summary.json: the run is not finished"), TR_BAD_CASE);
 }
 
+/* What friction brings with it from the compaction is not in its path. */
+static void contacts_that_start_with_friction_are_refused(void **state) {
+    (void)state;
+    change("sed -i '/^compaction:/,/^[^ ]/s/^  mu: 0 /  mu: 0.1 /' case.yaml");
+    assert_int_equal(fails("bad", NULL, "a run with compaction.mu: 0, not 0.1"), TR_BAD_CASE);
+}
+
 /* In the middle of a row, at the end of one, at the end of an instant; and a summary that knows nothing of them. */
 static void paths_that_were_cut_are_refused(void **state) {
     (void)state;
@@ -603,6 +610,7 @@ int main(void) {
                                        cmocka_unit_test(a_sample),
                                        cmocka_unit_test(what_cannot_be_replayed),
                                        cmocka_unit_test(an_unfinished_run_is_refused),
+        cmocka_unit_test(contacts_that_start_with_friction_are_refused),
                                        cmocka_unit_test(paths_that_were_cut_are_refused),
                                        cmocka_unit_test(rows_that_no_run_writes_are_refused_with_their_line)};
     return cmocka_run_group_tests_name("replay", tests, open_folder, close_folder);
