@@ -81,7 +81,7 @@ static bool wait_for_part(tr_packing *p, const char *path, const tr_run_options 
     if (p->lock < 0) return tr_status_fail(st, TR_FILE, "error: cannot write %s: %s", p->part, strerror(errno));
     while (flock(p->lock, LOCK_EX | LOCK_NB) && errno == EWOULDBLOCK) {
         if (options->stop && *options->stop)
-            return tr_status_fail(st, TR_INTERRUPTED, "stopped while another run makes %s", path);
+            return close(p->lock), p->lock = -1, tr_status_fail(st, TR_INTERRUPTED, "stopped while another run makes %s", path);
         nanosleep(&(struct timespec){.tv_nsec = 5000000}, NULL);
     }
     if (is_part(p) || !access(path, F_OK)) return true;
@@ -119,6 +119,7 @@ bool tr_packing_save(tr_packing *p, tr_biaxial *b, double *unbalanced, tr_status
 }
 
 void tr_packing_close(tr_packing *p) {
+    if (p->lock >= 0 && is_part(p)) unlink(p->part); /* it has not come to its name */
     if (p->lock >= 0) close(p->lock);
     free(p->text), free(p->dir), free(p->name), free(p->part);
     *p = (tr_packing){.lock = -1};
