@@ -163,16 +163,18 @@ typedef struct crew {
     tr_replay *r;
     const tr_replay_options *o;
     atomic_int next, rows, failed; /* rows: behind us */
+    atomic_bool starved;           /* of memory: no contact is left out for that */
 } crew;
 
 static void *work(void *context) {
     crew *c = context;
-    for (int k; !is_stopped(c->o) && (k = atomic_fetch_add(&c->next, c->o->every)) < c->r->n_lives;) {
+    for (int k; !is_stopped(c->o) && !atomic_load(&c->starved) && (k = atomic_fetch_add(&c->next, c->o->every)) < c->r->n_lives;) {
         tr_replay_life *life = &c->r->life[k];
         tr_status st = {0};
         if (c->r->row[life->first].a >= 0) {
             replay(c->r, life, c->o, &st);
             atomic_fetch_add(&c->failed, !life->done);
+            if (st.code == TR_FILE) atomic_store(&c->starved, true);
         }
         atomic_fetch_add(&c->rows, life->n);
     }
@@ -186,13 +188,14 @@ static bool replay_all(crew *c, tr_status *st) {
     for (int k = 0; k < c->r->n_lives; k += c->o->every) of += c->r->life[k].n;
     while (n < c->o->jobs && !pthread_create(&thread[n], NULL, work, c)) n++;
     if (!n) work(c);
-    while (n && atomic_load(&c->rows) < of && !is_stopped(c->o)) {
+    while (n && atomic_load(&c->rows) < of && !is_stopped(c->o) && !atomic_load(&c->starved)) {
         if (c->o->progress) c->o->progress(c->o->context, "replay", (double)atomic_load(&c->rows) / of);
         nanosleep(&(struct timespec){.tv_nsec = 20000000}, NULL);
     }
     while (n) pthread_join(thread[--n], NULL);
     free(thread);
     if (is_stopped(c->o)) return tr_status_fail(st, TR_INTERRUPTED, "stopped; nothing was written");
+    if (atomic_load(&c->starved)) return tr_status_fail(st, TR_FILE, "error: out of memory");
     return true;
 }
 

@@ -232,12 +232,14 @@ static bool look(test *t, unsigned due, tr_status *st) {
     return true;
 }
 
-static void open_inset(test *t) {
+static bool open_inset(test *t, tr_status *st) {
     const tr_paths *paths = &t->out.recorder.paths;
     tr_status why = {0};
-    if (!t->scene->output.frames || !paths->picks.n) return;
-    if (!tr_inset_open(&t->inset, &t->b.world, paths->picks.item[0], &why))
-        tr_run_note(t->report, "no inset in the frames: it takes two disks whose laws have mu and E_star");
+    if (!t->scene->output.frames || !paths->picks.n) return true;
+    if (tr_inset_open(&t->inset, &t->b.world, paths->picks.item[0], &why)) return true;
+    if (why.code == TR_FILE) return tr_status_fail(st, TR_FILE, "%s", why.text);
+    tr_run_note(t->report, "no inset in the frames: it takes two disks whose laws have mu and E_star");
+    return true;
 }
 
 /* A test goes on without its inset. */
@@ -288,7 +290,7 @@ static bool prepare(test *t, tr_status *st) {
                                compacted, report, st) &&
               (!t->scene->output.contacts ||
                (compacted ? tr_file_reopen : tr_file_open)(&t->disks, t->options->dir, "disks.csv", st));
-    if (ok) open_inset(t);
+    ok = ok && open_inset(t, st);
     if (ok && t->scene->output.increments) tr_increments_attach(&t->b.world, &t->increments);
     return ok && resume(t);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* LD_PRELOAD: allocation number FAULT_AT fails, in the program `trundle` alone, not in what it starts.
- * FAULT_COUNT: file for the number of allocations. */
+ * FAULT_COUNT: file for the number of allocations; FAULT_WHERE: for the name of the library that met the fault. */
+#include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -31,35 +32,46 @@ __attribute__((destructor)) static void end(void) {
     close(file);
 }
 
-static int fails(void) {
+static void tell(const char *path, const void *caller) {
+    Dl_info info;
+    int file = path && dladdr(caller, &info) ? open(path, O_WRONLY | O_CREAT | O_TRUNC, 0666) : -1;
+    if (file < 0) return;
+    dprintf(file, "%s\n", info.dli_fname);
+    close(file);
+}
+
+static int fails(const void *caller) {
     long k = active ? __atomic_add_fetch(&count, 1, __ATOMIC_RELAXED) : -1;
     if (k < 0 || k != at) return 0;
+    tell(getenv("FAULT_WHERE"), caller);
     errno = ENOMEM;
     return 1;
 }
 
+#define FAILS fails(__builtin_return_address(0))
+
 void *malloc(size_t size) {
-    return fails() ? NULL : __libc_malloc(size);
+    return FAILS ? NULL : __libc_malloc(size);
 }
 
 void *calloc(size_t n, size_t size) {
-    return fails() ? NULL : __libc_calloc(n, size);
+    return FAILS ? NULL : __libc_calloc(n, size);
 }
 
 void *realloc(void *old, size_t size) {
-    return fails() ? NULL : __libc_realloc(old, size);
+    return FAILS ? NULL : __libc_realloc(old, size);
 }
 
 void *memalign(size_t alignment, size_t size) {
-    return fails() ? NULL : __libc_memalign(alignment, size);
+    return FAILS ? NULL : __libc_memalign(alignment, size);
 }
 
 void *aligned_alloc(size_t alignment, size_t size) {
-    return fails() ? NULL : __libc_memalign(alignment, size);
+    return FAILS ? NULL : __libc_memalign(alignment, size);
 }
 
 int posix_memalign(void **p, size_t alignment, size_t size) {
-    void *memory = fails() ? NULL : __libc_memalign(alignment, size);
+    void *memory = FAILS ? NULL : __libc_memalign(alignment, size);
     if (memory) *p = memory;
     return memory ? 0 : ENOMEM;
 }
