@@ -44,7 +44,20 @@ static record next(const tr_checkpoint *c) {
     return r;
 }
 
-static void load(tr_checkpoint *c, const record *wanted, void *data) {
+/* A file with a right checksum may still be wrong. */
+static bool are_possible(tr_checkpoint_kind kind, const unsigned char *bytes, size_t n) {
+    bool ok = true;
+    double number;
+    int64_t tally;
+    for (size_t i = 0; kind == TR_KEPT_FLAGS && i < n; i++) ok &= bytes[i] <= 1;
+    for (size_t i = 0; kind == TR_KEPT_NUMBERS && i < n; i += sizeof number)
+        memcpy(&number, bytes + i, sizeof number), ok &= number - number == 0;
+    for (size_t i = 0; kind == TR_KEPT_COUNTS && i < n; i += sizeof tally)
+        memcpy(&tally, bytes + i, sizeof tally), ok &= tally >= 0 && tally <= INT64_MAX / 4;
+    return ok;
+}
+
+static void load(tr_checkpoint *c, tr_checkpoint_kind kind, const record *wanted, void *data) {
     record r = next(c);
     size_t n = wanted->size * wanted->count;
     if (strncmp(r.name, wanted->name, sizeof r.name) || r.size != wanted->size || r.count != wanted->count ||
@@ -57,20 +70,34 @@ static void load(tr_checkpoint *c, const record *wanted, void *data) {
             (unsigned long long)wanted->count, (unsigned long long)wanted->size);
         return;
     }
-    if (n) memcpy(data, c->bytes + c->at + sizeof r, n);
+    const unsigned char *bytes = c->bytes + c->at + sizeof r;
+    tr_checkpoint_check(c, are_possible(kind, bytes, n), wanted->name);
+    if (c->st->code) return;
+    if (n) memcpy(data, bytes, n);
     c->at += sizeof r + n;
 }
 
-void tr_checkpoint_field(tr_checkpoint *c, const char *name, void *data, size_t size, size_t count) {
+void tr_checkpoint_field(tr_checkpoint *c, tr_checkpoint_kind kind, const char *name, void *data, size_t size,
+                         size_t count) {
     if (c->st->code) return;
     record r = {.size = size, .count = count};
     snprintf(r.name, sizeof r.name, "%s", name + (*name == '&'));
     if (c->loading) {
-        load(c, &r, data);
+        load(c, kind, &r, data);
     } else {
         append(c, &r, sizeof r);
         append(c, data, size * count);
     }
+}
+
+void tr_checkpoint_check(tr_checkpoint *c, bool ok, const char *what) {
+    if (c->loading && !ok)
+        tr_status_fail(c->st, TR_FILE, "error: the checkpoint is damaged: %s is out of range", what + (*what == '&'));
+}
+
+void tr_checkpoint_count(tr_checkpoint *c, const char *name, int *n, size_t size) {
+    tr_checkpoint_field(c, TR_KEPT_BYTES, name, n, sizeof *n, 1);
+    tr_checkpoint_check(c, *n >= 0 && (size_t)*n <= (c->size - c->at) / size, name);
 }
 
 /* ---- saving ---- */
@@ -80,7 +107,7 @@ void tr_checkpoint_begin(tr_checkpoint *c, const char *resolved_case, tr_status 
     memcpy(h.magic, MAGIC, sizeof h.magic);
     *c = (tr_checkpoint){.st = st};
     append(c, &h, sizeof h);
-    tr_checkpoint_field(c, "case", (void *)(uintptr_t)resolved_case, 1, strlen(resolved_case));
+    tr_checkpoint_field(c, TR_KEPT_BYTES, "case", (void *)(uintptr_t)resolved_case, 1, strlen(resolved_case));
 }
 
 static bool write_all(int fd, const unsigned char *bytes, size_t n) {
@@ -176,17 +203,25 @@ static bool check(tr_checkpoint *c, const char *path, bool *newer, tr_status *st
     return true;
 }
 
+/* Length of the line without its comment and the spaces before that. */
+static int line_length(const char *text, size_t n) {
+    size_t k = 0;
+    while (k < n && text[k] && text[k] != '#' && text[k] != '\n') k++;
+    while (k && text[k - 1] == ' ') k--;
+    return (int)k;
+}
+
 /* The first line in which they differ. */
 static bool check_case(tr_checkpoint *c, const char *path, const char *ours) {
     record r = next(c);
     const char *saved = (const char *)c->bytes + c->at + sizeof r;
     size_t n = (size_t)r.count, same = 0, line = 0;
+    if (strncmp(r.name, "case", sizeof r.name) || r.size != 1 || r.count > c->size - c->at - sizeof r)
+        return tr_status_fail(c->st, TR_FILE, "error: %s is damaged: it has no case", path);
     for (; same < n && ours[same] && saved[same] == ours[same]; same++)
         if (saved[same] == '\n') line = same + 1;
     if (same == n && !ours[same]) return c->at += sizeof r + n, true;
-    int theirs = (int)strcspn(saved + line, "#\n"), other = (int)strcspn(ours + line, "#\n");
-    while (theirs && saved[line + (size_t)theirs - 1] == ' ') theirs--;
-    while (other && ours[line + (size_t)other - 1] == ' ') other--;
+    int theirs = line_length(saved + line, n - line), other = line_length(ours + line, strlen(ours + line));
     if (theirs == other && !memcmp(saved + line, ours + line, (size_t)other)) /* they differ in a comment */
         return tr_status_fail(c->st, TR_FILE, "error: %s is of another version of trundle", path);
     return tr_status_fail(c->st, TR_FILE, "error: %s is of another case: it has `%.*s`, this one `%.*s`", path, theirs,

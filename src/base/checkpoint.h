@@ -18,6 +18,7 @@
 
 #include "base/status.h"
 #include <stddef.h>
+#include <stdint.h>
 
 #define TR_CHECKPOINT "checkpoint.bin" /* the name of that of a run */
 
@@ -28,9 +29,25 @@ typedef struct tr_checkpoint {
     tr_status *st;
 } tr_checkpoint;
 
+/* What is in a field. A file with a right checksum may still be wrong: loading fails at a number that is not finite, at a count below 0 or
+ * beyond all reason, at a flag that is not 0 or 1. Of a pointer's type TR_KEEP knows: double, int64_t (a count), bool, else bytes. */
+typedef enum tr_checkpoint_kind { TR_KEPT_BYTES, TR_KEPT_NUMBERS, TR_KEPT_COUNTS, TR_KEPT_FLAGS } tr_checkpoint_kind;
+
 /* count objects of size bytes at data: appended, or read over. After the first failure, which goes to c->st, it does nothing. */
-void tr_checkpoint_field(tr_checkpoint *c, const char *name, void *data, size_t size, size_t count);
-#define TR_KEEP(c, data, count) tr_checkpoint_field(c, #data, data, sizeof *(data), (size_t)(count))
+void tr_checkpoint_field(tr_checkpoint *c, tr_checkpoint_kind kind, const char *name, void *data, size_t size,
+                         size_t count);
+#define TR_KEEP(c, data, count) TR_KEEP_AS(c, TR_CHECKPOINT_KIND(data), data, count)
+#define TR_KEEP_NUMBERS(c, data, count) TR_KEEP_AS(c, TR_KEPT_NUMBERS, data, count) /* structs of doubles */
+#define TR_KEEP_AS(c, kind, data, count) tr_checkpoint_field(c, kind, #data, data, sizeof *(data), (size_t)(count))
+#define TR_CHECKPOINT_KIND(data)                                                                                       \
+    _Generic((data), double *: TR_KEPT_NUMBERS, int64_t *: TR_KEPT_COUNTS, bool *: TR_KEPT_FLAGS, default: TR_KEPT_BYTES)
+
+/* How many things of `size` bytes follow. Loading fails where the rest of the file cannot hold them. */
+void tr_checkpoint_count(tr_checkpoint *c, const char *name, int *n, size_t size);
+#define TR_KEEP_COUNT(c, n, size) tr_checkpoint_count(c, #n, n, size)
+
+/* Loading fails unless ok: `what` is out of its range. Indices, enumerations and counts that others go by need it. */
+void tr_checkpoint_check(tr_checkpoint *c, bool ok, const char *what);
 
 /* To save: begin, fields, write, which frees. */
 void tr_checkpoint_begin(tr_checkpoint *c, const char *resolved_case, tr_status *st);

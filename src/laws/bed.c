@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "laws/bed.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdbool.h>
 
@@ -38,7 +39,7 @@ static void thin(tr_bed *b) {
             if (lost[j] < lost[k]) k = j;
         if (lost[k] > NOTHING * b->cap * b->P[b->n - 1]) {
             if (b->n <= TR_BED_POINTS) return;
-            b->merged++;
+            b->merged += b->merged < INT_MAX;
         }
         b->n--;
         drop(b->s, k, b->n), drop(b->e, k, b->n), drop(b->P, k, b->n), drop(lost, k, b->n - 1);
@@ -103,7 +104,7 @@ double tr_bed_trial(const tr_bed *b, const double *below, double delta, double P
     double e = k < 0 ? du : b->e[0] + du, s = k < 0 ? 0 : b->s[k], old = k < 0 ? 0 : b->P[k];
     *slope = 0;
     if (fabs(e) >= b->cap * delta) return copysign(b->mu * P, e); /* the caps are the steepest: all the bed slips */
-    if (sticks && fabs(du) <= b->cap * (delta - s)) {
+    if (sticks && !(fabs(du) > b->cap * (delta - s))) {           /* so is NaN */
         *slope = (P - old) / (delta - s) / b->kappa;
         return capped(b, (k < 0 ? 0 : below[k] / b->kappa) + du * *slope, P);
     }
@@ -130,12 +131,17 @@ static void begin(tr_bed *b, const tr_law_data *data) {
     b->cap = b->mu * b->kappa;
 }
 
+/* A history from a file may hold anything. */
+static int count(double n, int most) {
+    return n >= 0 && n <= most ? (int)n : 0;
+}
+
 /* In place: to copy a bed takes as long as to move it. */
 static void load(tr_bed *b, const tr_tile *tile, int i) {
     int c = tile->first + i;
     double *const *hist = b->data->hist, *const *point = hist + 2;
     b->R1 = tile->R1[i], b->R2 = tile->R2[i];
-    b->n = (int)hist[0][c], b->merged = (int)hist[1][c];
+    b->n = count(hist[0][c], TR_BED_POINTS), b->merged = count(hist[1][c], INT_MAX);
     for (int k = 0; k < b->n; k++, point += 3) b->s[k] = point[0][c], b->e[k] = point[1][c], b->P[k] = point[2][c];
 }
 

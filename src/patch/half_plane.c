@@ -152,6 +152,7 @@ void tr_half_plane_checkpoint(tr_half_plane *o, tr_checkpoint *c) {
     TR_KEEP(c, s->tau, s->n);
     TR_KEEP(c, s->slip, s->n);
     TR_KEEP(c, s->side, s->n);
+    for (int k = 0; k < s->n; k++) tr_checkpoint_check(c, s->side[k] >= -1 && s->side[k] <= 1, "a side");
     TR_KEEP(c, &s->Q, 1);
     TR_KEEP(c, &s->du, 1);
     TR_KEEP(c, &s->dissipated, 1);

@@ -68,6 +68,6 @@ void tr_inset_checkpoint(tr_inset *inset, tr_checkpoint *c) {
     TR_KEEP(c, &open, 1);
     if (!open) tr_inset_close(inset);
     if (!inset->solver) return;
-    TR_KEEP(c, &inset->at, 1);
+    TR_KEEP_NUMBERS(c, &inset->at, 1);
     tr_half_plane_checkpoint(inset->solver, c);
 }

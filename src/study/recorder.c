@@ -63,7 +63,7 @@ bool tr_recorder_open(tr_recorder *r, const tr_scene *scene, tr_scene_pick most,
 
 void tr_recorder_checkpoint(tr_recorder *r, tr_checkpoint *c) {
     TR_KEEP(c, &r->steps, 1);
-    TR_KEEP(c, r->paths.now, r->paths.picks.n);
+    TR_KEEP_NUMBERS(c, r->paths.now, r->paths.picks.n);
     for (int k = 0; k < r->paths.picks.n; k++) {
         struct tr_recorded *item = &r->item[k];
         TR_KEEP(c, item->row, CHANNELS);
@@ -77,6 +77,8 @@ void tr_recorder_checkpoint(tr_recorder *r, tr_checkpoint *c) {
     TR_KEEP(c, &r->rows, 1);
     TR_KEEP(c, &r->paths.lives, 1);
     TR_KEEP(c, &r->paths.taken, 1);
+    tr_checkpoint_check(c, tr_run_is_between(r->rows, r->n_rows, r->steps, r->total), "a number of rows");
+    tr_checkpoint_check(c, r->paths.taken <= r->paths.lives, "a number of lives");
     tr_file_checkpoint(&r->all, c);
 }
 

@@ -124,8 +124,17 @@ static int lists_of(int asked, int64_t total) {
     return asked <= total ? asked : (int)total;
 }
 
+static int64_t instant_of(int j, int n, int64_t total) {
+    return n == 1 ? total : (int64_t)llround((double)total * j / (n - 1));
+}
+
 bool tr_run_is_due(int j, int n, int64_t k, int64_t total) {
-    return j < n && k == (n == 1 ? total : (int64_t)llround((double)total * j / (n - 1)));
+    return j < n && k == instant_of(j, n, total);
+}
+
+bool tr_run_is_between(int j, int n, int64_t k, int64_t total) {
+    if (j < 0 || j > n) return false;
+    return (j == 0 || instant_of(j - 1, n, total) < k) && (j == n || instant_of(j, n, total) >= k);
 }
 
 unsigned tr_outputs_due(const tr_outputs *o, int64_t k, int64_t total) {
@@ -250,6 +259,14 @@ void tr_outputs_checkpoint(tr_outputs *o, tr_checkpoint *c) {
     tr_file_checkpoint(&o->contacts, c);
     tr_film_checkpoint(&o->film, c);
     tr_recorder_checkpoint(&o->recorder, c);
+    const tr_scene_output *want = &o->scene->output;
+    const int64_t k = o->recorder.steps, total = o->recorder.total;
+    const int lists = lists_of(want->contacts, total), frames = want->frames ? rows_of(want->frames, total) : 0;
+    tr_checkpoint_check(c, tr_run_is_between(o->rows, rows_of(want->rows, total), k, total), "a number of rows");
+    tr_checkpoint_check(c, tr_run_is_between(o->film.frames, frames, k, total), "a number of frames");
+    bool none = !o->instants && (!lists || !k), some = o->instants >= 0 && o->instants <= lists;
+    tr_checkpoint_check(c, none || (some && tr_run_is_between(o->instants + 1, lists + 1, k, total)),
+                        "a number of instants");
     if (!c->loading && o->recorder.paths.picks.n) tr_checkpoint_sync(o->options->dir, "paths", c->st);
 }
 

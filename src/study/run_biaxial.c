@@ -39,10 +39,17 @@ typedef struct test {
     tr_energy energy;
 } test;
 
+/* {0, 0} stands for none. */
+static bool is_contact(tr_scene_pick pick, const tr_scene *scene) {
+    int n = scene->sample.disks;
+    return pick.a >= -4 && pick.a < n && pick.b >= 0 && pick.b < n; /* -1 - wall, of four */
+}
+
 /* What tells how to build the test before the rest can be loaded. */
 static void keep_stage(test *t, tr_checkpoint *c) {
     TR_KEEP(c, &t->rehearsal, 1);
     TR_KEEP(c, &t->most, 1);
+    tr_checkpoint_check(c, is_contact(t->most, t->scene), "a contact");
     TR_KEEP(c, &t->shearing, 1);
 }
 
@@ -59,9 +66,12 @@ static void keep_rest(test *t, tr_checkpoint *c) {
     TR_KEEP(c, &t->stress_1_sum, 1);
     TR_KEEP(c, &t->stress_2_sum, 1);
     TR_KEEP(c, &t->stress_n, 1);
-    TR_KEEP(c, &t->state, 1);
-    TR_KEEP(c, &t->increments.since, 1);
+    TR_KEEP_NUMBERS(c, &t->state, 1);
+    TR_KEEP_NUMBERS(c, &t->increments.since, 1);
     TR_KEEP(c, &t->series.n, 1);
+    int rows = t->series.n;
+    tr_checkpoint_check(c, rows >= 0 && rows <= t->scene->output.rows, "a number of rows");
+    tr_checkpoint_check(c, t->stress_n >= 0 && t->stress_n <= rows, "a number of stresses");
     TR_KEEP(c, t->series.strain, t->series.n);
     TR_KEEP(c, t->series.sin_phi, t->series.n);
     TR_KEEP(c, t->series.void_ratio, t->series.n);
@@ -70,6 +80,7 @@ static void keep_rest(test *t, tr_checkpoint *c) {
     tr_file_checkpoint(&t->disks, c);
     tr_inset_checkpoint(&t->inset, c);
     tr_outputs_checkpoint(&t->out, c);
+    tr_checkpoint_check(c, rows == t->out.rows, "a number of rows");
 }
 
 static bool save(test *t, tr_status *st) {

@@ -51,6 +51,8 @@ tr_show_check tr_run_shown_check(const tr_check_result *result, const tr_scene *
 void tr_run_note(tr_run_report *report, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* Item j of n, from 0 to the end; a single one at the end. n <= total + 1, so no two fall on one step. */
 bool tr_run_is_due(int j, int n, int64_t k, int64_t total);
+/* Before step k: j items have been due. */
+bool tr_run_is_between(int j, int n, int64_t k, int64_t total);
 bool tr_run_stopped(const tr_run_options *options);
 void tr_run_progress(const tr_run_options *options, const char *stage, double fraction);
 

@@ -3,6 +3,7 @@
  * whenever the run is killed, the last good state is whole. Calls are made to fail by the linker's --wrap (Makefile). */
 #include "assert_close.h"
 #include "base/checkpoint.h"
+#include "base/hash.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -265,7 +266,7 @@ static void test_other_fields_are_named(void **state) {
         assert_true(tr_checkpoint_open(&c, dir, TR_CHECKPOINT, CASE, &instead, &st));
         if (which == 0) TR_KEEP(&c, y, N);
         if (which == 1) TR_KEEP(&c, b.x, N);
-        if (which == 2) tr_checkpoint_field(&c, "b->x", b.x, sizeof *b.x, N - 1);
+        if (which == 2) tr_checkpoint_field(&c, TR_KEPT_NUMBERS, "b->x", b.x, sizeof *b.x, N - 1);
         if (which == 3) keep(&b, &c), TR_KEEP(&c, y, N);
         assert_false(tr_checkpoint_close(&c));
         const char *const said[] = {"it has b->x, 20 of 8 bytes, where this one has y, 20 of 8",
@@ -276,17 +277,79 @@ static void test_other_fields_are_named(void **state) {
     tr_checkpoint c;
     tr_status instead = {0}, st = {0};
     assert_true(tr_checkpoint_open(&c, dir, TR_CHECKPOINT, CASE, &instead, &st));
-    tr_checkpoint_field(&c, "b->x", b.x, sizeof *b.x, N);
+    tr_checkpoint_field(&c, TR_KEPT_NUMBERS, "b->x", b.x, sizeof *b.x, N);
     assert_false(tr_checkpoint_close(&c));
     assert_non_null(strstr(st.text, "it has b->steps, this one has not"));
+}
+
+/* Of the newest; the checksum is made good. */
+static void overwrite(const char *field, size_t at, const void *with, size_t n) {
+    unsigned char bytes[2048];
+    size_t size = get(newest, bytes, sizeof bytes);
+    unsigned char *record = memmem(bytes, size, field, strlen(field) + 1);
+    assert_non_null(record);
+    memcpy(record + at, with, n);
+    uint64_t sum = tr_hash(TR_HASH_BEGIN, bytes, size - sizeof sum);
+    memcpy(bytes + size - sizeof sum, &sum, sizeof sum);
+    put(newest, bytes, size);
+}
+
+static void test_what_cannot_be_is_refused_behind_a_right_checksum(void **state) {
+    (void)state;
+    enum { DATA = 64, COUNT = 56 }; /* of a record */
+    const double numbers[] = {NAN, INFINITY, -INFINITY};
+    const int64_t counts[] = {-1, INT64_MIN, INT64_MAX};
+    const unsigned char flags[] = {2, 255};
+    const uint64_t lengths[] = {UINT64_MAX, 1 << 20, 2000};
+    for (int k = 0; k < 3; k++) {
+        must_save(7);
+        overwrite("b->x", DATA + 8, &numbers[k], 8);
+        assert_refused("the checkpoint is damaged: b->x is out of range");
+        must_save(7);
+        overwrite("b->steps", DATA, &counts[k], 8);
+        assert_refused("the checkpoint is damaged: b->steps is out of range");
+        must_save(7);
+        overwrite("b->open", DATA, &flags[k % 2], 1);
+        assert_refused("the checkpoint is damaged: b->open is out of range");
+        must_save(7);
+        overwrite("case", COUNT, &lengths[k], 8);
+        assert_refused("checkpoint.bin is damaged: it has no case");
+        must_save(7);
+        overwrite("b->x", COUNT, &lengths[k], 8);
+        assert_refused("error: ");
+    }
+}
+
+/* A list that would not fit into the file is not made room for. */
+static void test_a_count_beyond_the_file_is_refused(void **state) {
+    (void)state;
+    const int wrong[] = {-1, 3, 1 << 30};
+    for (int k = 0; k < 3; k++) {
+        tr_checkpoint c;
+        tr_status instead = {0}, st = {0};
+        int n = wrong[k], list[2] = {5, 6};
+        tr_checkpoint_begin(&c, CASE, &st);
+        TR_KEEP_COUNT(&c, &n, 10 * sizeof *list); /* 72 bytes are there: a record and the list */
+        TR_KEEP(&c, list, 2);
+        assert_true(tr_checkpoint_write(&c, dir, TR_CHECKPOINT));
+        assert_true(tr_checkpoint_open(&c, dir, TR_CHECKPOINT, CASE, &instead, &st));
+        TR_KEEP_COUNT(&c, &n, 10 * sizeof *list);
+        assert_false(tr_checkpoint_close(&c));
+        assert_non_null(strstr(st.text, "the checkpoint is damaged: n is out of range"));
+    }
 }
 
 int main(void) {
 #define TEST(name) cmocka_unit_test_setup_teardown(name, empty_dir, remove_dir)
     const struct CMUnitTest tests[] = {
-        TEST(test_what_is_saved_is_loaded),     TEST(test_a_write_that_fails_leaves_the_last_state),
-        TEST(test_every_damaged_byte_is_seen),  TEST(test_the_one_before_stands_in_for_a_damaged_one),
-        TEST(test_what_is_not_ours_is_refused), TEST(test_other_fields_are_named),
+        TEST(test_what_is_saved_is_loaded),
+        TEST(test_a_write_that_fails_leaves_the_last_state),
+        TEST(test_every_damaged_byte_is_seen),
+        TEST(test_the_one_before_stands_in_for_a_damaged_one),
+        TEST(test_what_is_not_ours_is_refused),
+        TEST(test_other_fields_are_named),
+        TEST(test_what_cannot_be_is_refused_behind_a_right_checksum),
+        TEST(test_a_count_beyond_the_file_is_refused),
     };
     return cmocka_run_group_tests_name("checkpoint", tests, NULL, NULL);
 }

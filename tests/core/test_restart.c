@@ -302,11 +302,52 @@ static void test_in_the_compaction(void **state) {
     for (int k = 0; choice("boundary", k, boundary); k++) in_the_compaction(boundary);
 }
 
+/* Saved with *field = wrong, as behind a checksum that was made good; loaded into a world that is right. */
+static void assert_refused(tr_biaxial *b, const tr_scene *scene, void *field, const void *wrong, size_t size,
+                           const char *what) {
+    unsigned char right[sizeof(double)];
+    tr_biaxial loaded;
+    tr_checkpoint c;
+    tr_status st = {0}, instead = {0};
+    memcpy(right, field, size);
+    memcpy(field, wrong, size);
+    save(b);
+    memcpy(field, right, size);
+    begin(&loaded, scene);
+    assert_true(tr_checkpoint_open(&c, dir, TR_CHECKPOINT, "case", &instead, &st));
+    tr_biaxial_checkpoint(&loaded, &c);
+    assert_false(tr_checkpoint_close(&c));
+    assert_int_equal(st.code, TR_FILE);
+    if (!strstr(st.text, what)) fail_msg("no \"%s\" in: %s", what, st.text);
+    tr_biaxial_free(&loaded);
+}
+
+static void test_bodies_that_are_not_there_are_refused(void **state) {
+    (void)state;
+    tr_biaxial b;
+    tr_scene scene;
+    pack(&b, &scene, "walls", 0);
+    tr_world *world = &b.world;
+    const int ids[] = {-1, DISKS, 1 << 30}, last = DISKS - 1; /* out of order */
+    int *const from[] = {world->near.a, world->near.b, world->group[0].a, world->group[0].b, world->group[1].a};
+    const double radii[] = {0, -1, 1}, right_of_all = 1e3;
+    for (size_t k = 0; k < sizeof from / sizeof *from; k++)
+        for (int i = 0; i < 3; i++) assert_refused(&b, &scene, from[k], &ids[i], sizeof(int), "a pair of bodies");
+    assert_refused(&b, &scene, world->near.a, &last, sizeof(int), "a pair of bodies");
+    assert_refused(&b, &scene, world->group[0].a, &last, sizeof(int), "a pair of bodies");
+    for (int i = 0; i < 3; i++)
+        assert_refused(&b, &scene, world->disks.pos + 4 * 5 + 3, &radii[i], sizeof(double), "a radius");
+    assert_refused(&b, &scene, &world->wall[TR_LEFT_WALL].x, &right_of_all, sizeof(double), "a wall or the cell");
+    assert_refused(&b, &scene, &world->cell.side[0], &right_of_all, sizeof(double), "a wall or the cell");
+    tr_biaxial_free(&b), tr_scene_free(&scene);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_law_and_boundary),
         cmocka_unit_test(test_every_moment),
         cmocka_unit_test(test_in_the_compaction),
+        cmocka_unit_test(test_bodies_that_are_not_there_are_refused),
     };
     if (!mkdtemp(dir)) return 1;
     int failed = cmocka_run_group_tests_name("restart", tests, NULL, NULL);
