@@ -25,7 +25,7 @@ LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o)
 CLI_OBJ  := $(CLI_SRC:%=$(BUILD)/%.o)
 TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all biaxial figures wang kuhn kuhn-film bands replay features bench bench-peers demos gallery verify test mutate faults test-slurm install asan lint format clean help packages-% build-all build-faults run-demos run-tests
+.PHONY: all biaxial figures wang kuhn kuhn-film bands replay features bench bench-peers demos gallery verify test mutate faults test-slurm install asan fuzz lint format clean help packages-% build-all build-faults run-demos run-tests
 .SECONDARY:
 
 all: packages-build
@@ -130,6 +130,12 @@ asan: packages-test
 	@$(MAKE) --no-print-directory run-tests BUILD=build/asan TRUNDLE=build/asan/trundle \
 	    CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=undefined'
 
+# Each reader is fed with what libFuzzer makes of the inputs in tests/fuzz/corpus, for so many seconds.
+SECONDS ?= 60
+fuzz: packages-fuzz
+	@$(MAKE) --no-print-directory run-fuzz BUILD=build/fuzz CC=clang CXX=clang++ OPENMP= \
+	    CFLAGS='-O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined'
+
 install: all
 	install -D -m 755 trundle $(DESTDIR)$(PREFIX)/bin/trundle
 	install -d $(DESTDIR)$(PREFIX)/share/trundle/cases
@@ -166,6 +172,7 @@ help:
 	@echo 'make           install what is missing, build ./trundle'
 	@echo 'make install   PREFIX=$(PREFIX) DESTDIR=$(DESTDIR): trundle and the cases'
 	@echo 'make asan      the tests under the address and undefined-behaviour sanitizers'
+	@echo 'make fuzz      hostile input for every reader, by libFuzzer (clang): SECONDS=60 for each; what it finds is kept in build/fuzz/found/'
 	@echo 'make lint      clang-tidy and cppcheck'
 	@echo 'make format    clang-format on all sources'
 	@echo 'make clean     remove build/, out/ and ./trundle'
@@ -209,6 +216,15 @@ $(BUILD)/tests/faults/calls: tests/faults/calls.c
 	@mkdir -p $(@D)
 	$(CC) -std=c17 -D_GNU_SOURCE -Wall -Wextra -Wpedantic -O1 -o $@ $<
 
+# A fuzz target is driven by replay.c, which reads files, or by libFuzzer.
+FUZZ := $(patsubst tests/fuzz/fuzz_%.c,%,$(wildcard tests/fuzz/fuzz_*.c))
+$(BUILD)/tests/fuzz/replay_%: $(BUILD)/tests/fuzz/fuzz_%.c.o $(BUILD)/tests/fuzz/replay.c.o $(BUILD)/libtrundle.a
+	$(CXX) $(CFLAGS) $(OPENMP) $(LDFLAGS) -o $@ $^ $(LIBS)
+$(BUILD)/fuzz_%: $(BUILD)/tests/fuzz/fuzz_%.c.o $(BUILD)/libtrundle.a
+	$(CXX) $(CFLAGS) -fsanitize=fuzzer $(LDFLAGS) -o $@ $^ $(LIBS)
+run-fuzz: $(FUZZ:%=$(BUILD)/fuzz_%)
+	@tests/fuzz/run.sh $(BUILD) $(SECONDS) $(FUZZ)
+
 # A figure is figures/NAME.sh, which writes its data as CSV, and figures/NAME.gp, which draws them.
 define draw
 	gnuplot -d -e 'csv = "$(@:.png=.csv)"; set output "$(@:.png=.svg)"' \
@@ -245,7 +261,7 @@ $(OUT)/demos/%.done: cases/%.yaml $(TRUNDLE)
 $(OUT)/gallery/index.html: $(wildcard figures/gallery/* $(OUT)/demos/*/summary.json)
 	figures/gallery/build.sh $(OUT)/demos $(OUT)/gallery $(DEMOS)
 
-run-tests: $(TRUNDLE) $(TESTS) build-faults
-	@FAULTS=$(abspath $(BUILD)/tests/faults) tests/run $(TRUNDLE) $(TESTS)
+run-tests: $(TRUNDLE) $(TESTS) build-faults $(FUZZ:%=$(BUILD)/tests/fuzz/replay_%)
+	@BUILD=$(abspath $(BUILD)) FAULTS=$(abspath $(BUILD)/tests/faults) tests/run $(TRUNDLE) $(TESTS)
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
