@@ -26,8 +26,8 @@ static const double COMPACTION_SAFETY = 0.4;
 /* Of a row of disks: the mass of a piston between walls in the shear. See SERVO in biaxial.h. */
 static const double SHARE_OF_ROW = 1.0 / 6;
 
-/* The strain at which the driven sides are at full speed: this, or what it takes sound to cross the sample; no more than a share of
- * all strain. */
+/* The strain at which the driven sides are at full speed: this, or what it takes sound to cross the sample; no more
+ * than a share of all strain. */
 static const double START = 1e-3, MOST_START = 0.2;
 
 /* How far the held stress may be off, as a mean over so much strain. */
@@ -300,8 +300,8 @@ static double held(const tr_biaxial *b) {
     return 0.5 * (other + stress(b, TR_RIGHT_WALL));
 }
 
-/* Whether the servo has held its stress over each whole window. What it misses goes as I at the start, then as I^2, and grows as the
- * sample gets flat: the speed that is told is one for a tenth of what may be missed. */
+/* Whether the servo has held its stress over each whole window. What it misses goes as I at the start, then as I^2,
+ * and grows as the sample gets flat: the speed that is told is one for a tenth of what may be missed. */
 static bool check_held(tr_biaxial *b, tr_status *st) {
     const tr_scene_shear *shear = &b->scene->shear;
     double part = b->rate * b->world.dt * speed(b, (double)(b->world.steps - b->shear_start)); /* of strain */

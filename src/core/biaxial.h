@@ -3,37 +3,39 @@
  *
  * Walls: 0 bottom, 1 top (horizontal, moved in the shear), 2 left, 3 right (lateral, held at a pressure).
  *
- * SERVO. A wall under pressure is a piston: M dv/dt = p*length - F. It needs no gain and is stable at the step of the disks; a
- * steady velocity costs no pressure error (a velocity-proportional servo at I = 1e-3 would be off by tenths), and its work is
- * exact in the energy ledger. The dashpots of the contacts damp it.
+ * SERVO. A wall under pressure is a piston: M dv/dt = p*length - F. It needs no gain and is stable at the step of the
+ * disks; a steady velocity costs no pressure error (a velocity-proportional servo at I = 1e-3 would be off by tenths),
+ * and its work is exact in the energy ledger. The dashpots of the contacts damp it.
  *
  * A periodic cell (`boundary: periodic`, cell.h) takes the place of the walls: both its sides are such pistons in the
- * compaction; in the shear its height changes as that of the walls would, and its width holds the lateral stress, or the
- * mean of both (`hold: mean`), at lateral_pressure.
+ * compaction; in the shear its height changes as that of the walls would, and its width holds the lateral stress, or
+ * the mean of both (`hold: mean`), at lateral_pressure.
  *
- * How light? In the compaction M is the mass of a row of disks. In the shear it is a sixth of that between walls: each of the
- * contacts along the wall then has the mass that one of six contacts of a disk has, so that the step need not be shorter; in a cell it is
- * that of one disk, for there all contacts share it, which adds some 0.8/M to the sum of 1/m of each (bound: timestep.h), and
- * copies of a cell side by side then move as the one does. What the
- * stress misses is M d2L/dt2. Of a strain e at constant rate and area that is 2 (M/m) I^2 (1-e)^-4 of the stress: 0.05 for I =
- * 0.1, e = 0.2 in a cell of any size. When contacts give way the width needs some 1/sqrt(k_n/M) to follow; a row of disks
- * swings by 0.15 of the stress from one row of history.csv to the next, these by 0.05 (walls) and 0.02 (cell) at most. And the
- * mean is not what the width does work against: a heavy piston feeds its own oscillation through the lag of the axial stress, and
- * needs a dashpot, which must know the steady motion; one as light as a disk is damped by the contacts.
+ * How light? In the compaction M is the mass of a row of disks. In the shear it is a sixth of that between walls: each
+ * of the contacts along the wall then has the mass that one of six contacts of a disk has, so that the step need not
+ * be shorter; in a cell it is that of one disk, for there all contacts share it, which adds some 0.8/M to the sum of
+ * 1/m of each (bound: timestep.h), and copies of a cell side by side then move as the one does.
+ *
+ * What the stress misses is M d2L/dt2. Of a strain e at constant rate and area that is 2 (M/m) I^2 (1-e)^-4 of the stress: 0.05
+ * for I = 0.1, e = 0.2 in a cell of any size. When contacts give way the width needs some 1/sqrt(k_n/M) to follow; a
+ * row of disks swings by 0.15 of the stress from one row of history.csv to the next, these by 0.05 (walls) and 0.02
+ * (cell) at most. And the mean is not what the width does work against: a heavy piston feeds its own oscillation
+ * through the lag of the axial stress, and needs a dashpot, which must know the steady motion; one as light as a disk
+ * is damped by the contacts.
  *
  * A run whose held stress is off by more than 0.2 as a mean over 0.01 of strain fails.
  *
  * Compaction has a weak drag against the frame besides the dashpots, so that it comes to rest; the shear has none.
  *
- * Compaction has a step of its own, so that a packing depends on nothing of the shear: what is compared by seed starts from the
- * same packing, whatever its laws and step.
+ * Compaction has a step of its own, so that a packing depends on nothing of the shear: what is compared by seed starts
+ * from the same packing, whatever its laws and step.
  *
- * START. The shear starts from the velocities that compaction leaves, with the driven sides at rest. They reach their full
- * speed smoothly, as 3 s^2 - 2 s^3, within 1e-3 of strain, or the strain in which sound crosses the sample where that is
- * more (1 % at I = 0.02 and 400 disks), at most a fifth of strain_end. So no jerk runs through the sample. The
- * lateral stress goes from compaction.pressure to shear.lateral_pressure as they do. Contacts of disks keep the friction of the
- * compaction; all other histories are zero. Where compaction.mu is above the mu of the shear, the packing comes to rest once more
- * with that one, as the end of the compaction.
+ * START. The shear starts from the velocities that compaction leaves, with the driven sides at rest. They reach their
+ * full speed smoothly, as 3 s^2 - 2 s^3, within 1e-3 of strain, or the strain in which sound crosses the sample where
+ * that is more (1 % at I = 0.02 and 400 disks), at most a fifth of strain_end. So no jerk runs through the sample. The
+ * lateral stress goes from compaction.pressure to shear.lateral_pressure as they do. Contacts of disks keep the
+ * friction of the compaction; all other histories are zero. Where compaction.mu is above the mu of the shear, the
+ * packing comes to rest once more with that one, as the end of the compaction.
  */
 #ifndef TR_BIAXIAL_H
 #define TR_BIAXIAL_H
@@ -87,8 +89,8 @@ bool tr_biaxial_compact(tr_biaxial *b, int steps, double *unbalanced, bool *done
 /* Turns to the shear: walls, laws, ledger. Nothing moves yet. */
 bool tr_biaxial_begin_shear(tr_biaxial *b, tr_status *st);
 
-/* Forces of the present instant, servo loads and averages. Follow it by tr_step_advance(&b->world). TR_NUMERICAL: the stress is
- * not held, see above. */
+/* Forces of the present instant, servo loads and averages. Follow it by tr_step_advance(&b->world). TR_NUMERICAL: the
+ * stress is not held, see above. */
 bool tr_biaxial_forces(tr_biaxial *b, tr_status *st);
 
 /* strain, time, height, width and void ratio of now; the stresses are left as they are. */

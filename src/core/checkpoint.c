@@ -112,5 +112,5 @@ void tr_biaxial_packing(tr_biaxial *b, tr_checkpoint *c) {
     TR_KEEP(c, &world->steps, 1);
     TR_KEEP(c, &world->searches, 1);
     TR_KEEP(c, &world->refreshes, 1);
-    if (world->group[0].n_hist) keep_group(&world->group[0], c);
+    if (world->group[0].n_hist) keep_group(&world->group[0], world, c);
 }

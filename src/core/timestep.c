@@ -148,7 +148,7 @@ static share piston_share(const tr_world *world) {
     return piston;
 }
 
-/* Each disk is paired with a wall, with the smallest and the largest disk, and with all where there are no more than `few`. */
+/* Each disk is paired with a wall, the smallest and the largest disk, and with all where they are no more than `few`. */
 static double all_limits(const tr_world *world, packings p, int few, share wall) {
     int n = world->disks.n, smallest, largest;
     double bound = INFINITY;

@@ -140,11 +140,15 @@ bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool sm
     return world->finder != NULL;
 }
 
+static bool is_before(int a, int b, int other_a, int other_b) {
+    return a < other_a || (a == other_a && b < other_b);
+}
+
 /* Both lists are sorted by their ids. */
 static void carry_friction(tr_group *to, const tr_group *from) {
     int first = to->slot[TR_FRICTION].hist, old_first = from->slot[TR_FRICTION].hist, old = 0;
     for (int i = 0; i < to->n; i++) {
-        while (old < from->n && (from->a[old] < to->a[i] || (from->a[old] == to->a[i] && from->b[old] < to->b[i]))) old++;
+        while (old < from->n && is_before(from->a[old], from->b[old], to->a[i], to->b[i])) old++;
         if (old == from->n) return;
         if (from->a[old] != to->a[i] || from->b[old] != to->b[i]) continue;
         for (int h = 0; h < to->slot[TR_FRICTION].law->n_hist; h++)

@@ -16,7 +16,8 @@
 #include <time.h>
 #include <unistd.h>
 
-/* One more when a change of the program makes other packings of the same case. Those with friction have histories since 2. */
+/* One more when a change of the program makes other packings of the same case. Those with friction have histories
+ * since 2. */
 static const char SMOOTH[] = "packing: 1", ROUGH[] = "packing: 2, with friction histories";
 
 char *tr_packing_text(const tr_scene *scene, tr_status *st) {

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* sample.bin: a packing after its compaction, from which many runs start. Positions and velocities of disks and walls and, where
- * compaction.mu is above 0, the contacts with their friction, which the shear begins with.
- * The file is one of base/checkpoint.h, and its case is what the compaction sees of a scene: the packing of another seed, size, normal law or pressure is refused, and a run from the file gives the bytes of a run without. */
+/* sample.bin: a packing after its compaction, from which many runs start. Positions and velocities of disks and walls
+ * and, where compaction.mu is above 0, the contacts with their friction, which the shear begins with.
+ * The file is one of base/checkpoint.h, and its case is what the compaction sees of a scene: the packing of another
+ * seed, size, normal law or pressure is refused, and a run from the file gives the bytes of a run without. */
 #ifndef TR_STUDY_PACKING_H
 #define TR_STUDY_PACKING_H
 
@@ -21,7 +22,8 @@ typedef struct tr_packing {
 } tr_packing;
 
 /* Loads options->sample into a test that has been initialised; *there: it was there. Where it is not, this run is to make it and to
- * call tr_packing_save; another run that is making it is waited for. Refused (TR_FILE): a damaged file, or one of another case. */
+ * call tr_packing_save; another run that is making it is waited for. Refused (TR_FILE): a damaged file, or one of
+ * another case. */
 bool tr_packing_load(tr_packing *p, tr_biaxial *b, const tr_run_options *options, double *unbalanced, bool *there,
                      tr_status *st);
 bool tr_packing_save(tr_packing *p, tr_biaxial *b, double *unbalanced, tr_status *st);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Start and servo of the biaxial test. References: the stress that is asked for, the balance that compaction is asked for,
- * geometry, and that a test which fails as too fast holds at the speed that its message names. */
+/* Start and servo of the biaxial test. References: the stress that is asked for, the balance that compaction is asked
+ * for, geometry, and that a test which fails as too fast holds at the speed that its message names. */
 #include "core/measures.h"
 #include "core/worlds.h"
 
@@ -27,7 +27,8 @@ static double held(const tr_biaxial_state *s, tr_hold hold) {
 
 /* ---- the start */
 
-/* The first row: at rest within ten times what compaction was asked, and at its pressure, which compaction holds to 1e-3. */
+/* The first row: at rest within ten times what compaction was asked, and at its pressure, which compaction holds to
+ * 1e-3. */
 static void starts_from_balance(tr_boundary boundary, double compaction_mu, double mu) {
     tr_scene scene = scene_of(200, 3, boundary, TR_HOLD_LATERAL);
     tr_biaxial b;
@@ -70,8 +71,8 @@ static void test_less_friction_in_the_shear_comes_to_rest_first(void **state) {
     starts_from_balance(TR_PERIODIC, 0.5, 0.1);
 }
 
-/* From rest, never faster than the speed that is asked for, which is there within 1e-3 of strain; the lateral stress goes to that of the shear
- * meanwhile. I = 1e-3 sqrt(p/m) is in the middle of a step; sums of 1000 steps. */
+/* From rest, never faster than the speed that is asked for, which is there within 1e-3 of strain; the lateral stress
+ * goes to that of the shear meanwhile. I = 1e-3 sqrt(p/m) is in the middle of a step; sums of 1000 steps. */
 static void starts_smoothly(tr_boundary boundary) {
     tr_scene scene = scene_of(100, 2, boundary, TR_HOLD_LATERAL);
     tr_biaxial b;
@@ -100,7 +101,8 @@ static void test_the_driven_sides_start_smoothly(void **state) {
 
 /* ---- the servo */
 
-/* Rows as those of cases/biaxial.yaml: of 5e-4 strain at I = 1e-3. From 1 % of strain on none is off by more than 5 %. */
+/* Rows as those of cases/biaxial.yaml: of 5e-4 strain at I = 1e-3. From 1 % of strain on none is off by more than 5
+ * percent. */
 static void holds(uint64_t seed, tr_boundary boundary, tr_hold hold, double strain_end) {
     tr_scene scene = scene_of(400, seed, boundary, hold);
     tr_biaxial b;
@@ -119,8 +121,8 @@ static void holds(uint64_t seed, tr_boundary boundary, tr_hold hold, double stra
         }
         tr_step_advance(&b.world);
     }
-    print_message("%s, %s: worst row of %d off by %.3f, mean %.5g\n", boundary ? "cell" : "walls", hold ? "mean" : "lateral",
-                  rows, worst, sum / rows);
+    print_message("%s, %s: worst row of %d off by %.3f, mean %.5g\n", boundary ? "cell" : "walls",
+                  hold ? "mean" : "lateral", rows, worst, sum / rows);
     assert_true(rows >= 95 && worst < 0.05);
     assert_close(sum / rows, ASKED, 2e-3, 0); /* the width does not accelerate on the whole */
     tr_biaxial_free(&b);
@@ -154,7 +156,8 @@ static void fails_and_names_a_speed(double I, tr_boundary boundary, tr_hold hold
     assert_false(shear_at(I, boundary, hold, &st));
     print_message("%s\n", st.text);
     assert_int_equal(st.code, TR_NUMERICAL);
-    assert_non_null(strstr(st.text, hold ? "error: the mean stress is not held" : "error: the lateral stress is not held"));
+    const char *what = hold ? "error: the mean stress is not held" : "error: the lateral stress is not held";
+    assert_non_null(strstr(st.text, what));
     assert_non_null(strstr(st.text, "asked 1.6e+05"));
     assert_true(strstr(st.text, ", step ") && strstr(st.text, ", time "));
     assert_int_equal(sscanf(strstr(st.text, "it was "), "it was %lf", &reached), 1);

@@ -87,7 +87,8 @@ static void test_the_same_bytes_in_a_cell(void **state) {
     starts_the_same("boundary=periodic");
 }
 
-/* The friction of the compaction goes through the file; where the shear has less, the packing has come to rest with that. */
+/* The friction of the compaction goes through the file; where the shear has less, the packing has come to rest with
+ * that. */
 static void friction_goes_through(const char *boundary) {
     const char *const sets[][3] = {{boundary, "compaction.mu=0.3", "contact.mu_r=0"},
                                    {boundary, "compaction.mu=0.3", "shear.inertial_number=4e-3"},
@@ -111,7 +112,8 @@ static void test_friction_goes_through_the_file(void **state) {
     friction_goes_through("boundary=periodic");
 }
 
-/* A packing with friction of before there were histories in the file: that its text says version 1 is all that counts. */
+/* A packing with friction of before there were histories in the file: that its text says version 1 is all
+ * that counts. */
 static void test_an_old_packing_with_friction(void **state) {
     (void)state;
     const char *const sets[] = {"compaction.mu=0.3"};
@@ -125,7 +127,8 @@ static void test_an_old_packing_with_friction(void **state) {
     assert_true(tr_checkpoint_write(&c, dir, "sample.bin"));
     assert_false(run("old", sets, 1, file, &st));
     assert_int_equal(st.code, TR_FILE);
-    if (!strstr(st.text, "it has `packing: 1`, this one `packing: 2, with friction histories`")) fail_msg("%s", st.text);
+    const char *why = "it has `packing: 1`, this one `packing: 2, with friction histories`";
+    if (!strstr(st.text, why)) fail_msg("%s", st.text);
     if (!strstr(st.text, "remove it")) fail_msg("%s", st.text);
     free(now), tr_scene_free(&scene);
 }
