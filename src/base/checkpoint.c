@@ -164,17 +164,18 @@ bool tr_checkpoint_sync(const char *dir, const char *name, tr_status *st) {
 
 /* ---- loading ---- */
 
+/* st: it is damaged, so that the one before may take its place. c->st: it may be as it should, but could not be read. */
 static bool read_file(tr_checkpoint *c, const char *path, bool *there, tr_status *st) {
     struct stat info;
     FILE *file = fopen(path, "rbe");
     *there = file || errno != ENOENT;
     if (!file || fstat(fileno(file), &info)) {
-        if (*there) tr_status_fail(st, TR_FILE, "error: cannot read %s: %s", path, strerror(errno));
+        if (*there) tr_status_fail(c->st, TR_FILE, "error: cannot read %s: %s", path, strerror(errno));
         if (file) fclose(file);
         return false;
     }
     c->size = (size_t)info.st_size;
-    bool ok = (c->bytes = tr_alloc(c->size, 1, st)) &&
+    bool ok = (c->bytes = tr_alloc(c->size, 1, c->st)) &&
               (fread(c->bytes, 1, c->size, file) == c->size ||
                tr_status_fail(st, TR_FILE, "error: cannot read %s: %s", path, strerror(errno)));
     fclose(file);
@@ -236,7 +237,7 @@ bool tr_checkpoint_open(tr_checkpoint *c, const char *dir, const char *name, con
     snprintf(old, sizeof old, "%s/%s.old", dir, name);
     *c = (tr_checkpoint){.loading = true, .st = st};
     bool ok = read_file(c, path, &there, instead) && check(c, path, &newer, instead);
-    if (!ok && !newer) {
+    if (!ok && !newer && !st->code) {
         free(c->bytes), c->bytes = NULL;
         tr_status why = {0};
         ok = read_file(c, old, &older, &why) && check(c, old, &newer, &why);
@@ -246,7 +247,7 @@ bool tr_checkpoint_open(tr_checkpoint *c, const char *dir, const char *name, con
     }
     if (ok)
         ok = check_case(c, path, resolved_case);
-    else if (instead->code)
+    else if (instead->code && !st->code)
         *st = *instead;
     if (!ok) free(c->bytes), *c = (tr_checkpoint){0};
     return ok;

@@ -56,6 +56,20 @@ bool tr_dir_make(const char *dir, const char *name, tr_status *st) {
     return tr_dir_path(path, dir, name, st) && make(path, st);
 }
 
+bool tr_dir_holds(const char *dir, const char *name, const char *text, bool *same, tr_status *st) {
+    char path[TR_PATH];
+    *same = false;
+    if (!tr_dir_path(path, dir, name, st)) return false;
+    FILE *file = fopen(path, "rbe");
+    if (!file && errno == ENOENT) return true;
+    *same = file != NULL;
+    while (*same && *text) *same = fgetc(file) == (unsigned char)*text++;
+    *same = *same && fgetc(file) == EOF;
+    if (!file || ferror(file)) tr_status_fail(st, TR_FILE, "error: cannot read %s: %s", path, strerror(errno));
+    if (file) fclose(file);
+    return !st->code;
+}
+
 static bool open_part(tr_file *file, const char *path, const char *mode, tr_status *st) {
     *file = (tr_file){0};
     if (strlen(path) >= sizeof file->path)

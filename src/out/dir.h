@@ -25,6 +25,9 @@ bool tr_dir_lock(const char *dir, int *lock, tr_status *st);
 /* dir/name; TR_FILE if the path is too long. */
 bool tr_dir_path(char path[TR_PATH], const char *dir, const char *name, tr_status *st);
 
+/* Whether the file dir/name is this text. TR_FILE: it is there and cannot be read. */
+bool tr_dir_holds(const char *dir, const char *name, const char *text, bool *same, tr_status *st);
+
 /* Makes dir/name. */
 bool tr_dir_make(const char *dir, const char *name, tr_status *st);
 

@@ -73,9 +73,9 @@ char *tr_summary_patch(const tr_scene *scene, int64_t steps, const tr_patch_resu
  * TR_BAD_CASE. */
 bool tr_summary_read(const char *path, const char *name, double *value, tr_status *st);
 
-/* Which version of the program wrote it. false: there is no summary.json, or it is not whole. */
+/* Which version of the program wrote it; "": it is not there, or is not whole. TR_FILE: it cannot be read. */
 enum { TR_SUMMARY_VERSION = 32 };
-bool tr_summary_version(const char *path, char version[TR_SUMMARY_VERSION]);
+bool tr_summary_version(const char *path, char version[TR_SUMMARY_VERSION], tr_status *st);
 
 /* Names all numbers in the text of a summary, as tr_summary_read takes them. */
 enum { TR_SUMMARY_NAME = 128 };

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "out/summary.h"
 
+#include <errno.h>
 #include <jansson.h>
 #include <math.h>
 #include <stdio.h>
@@ -25,14 +26,26 @@ static const json_t *find(const json_t *at, const char *name) {
     }
 }
 
+/* NULL: it is not there, or is not whole. With TR_FILE: there is no telling, it cannot be read. */
+static json_t *load(const char *path, tr_status *st) {
+    FILE *file = fopen(path, "rbe");
+    if (!file && errno == ENOENT) return NULL;
+    json_t *o = NULL;
+    if (file) errno = 0, o = json_loadf(file, 0, NULL);
+    if (!file || ferror(file) || errno == ENOMEM)
+        tr_status_fail(st, TR_FILE, "error: cannot read %.300s: %s", path, strerror(errno));
+    if (file) fclose(file);
+    if (st->code) json_decref(o), o = NULL;
+    return o;
+}
+
 static bool is_number(const json_t *value) {
     return json_is_number(value) || json_is_null(value);
 }
 
 bool tr_summary_read(const char *path, const char *name, double *value, tr_status *st) {
-    json_error_t error;
-    json_t *o = json_load_file(path, 0, &error);
-    if (!o) return tr_status_fail(st, TR_FILE, "error: cannot read %.300s: %s", path, error.text);
+    json_t *o = load(path, st);
+    if (!o) return tr_status_fail(st, TR_FILE, "error: cannot read %.300s: it is not there, or not whole", path);
     const json_t *number = find(o, name);
     bool ok = is_number(number);
     *value = json_is_number(number) ? json_number_value(number) : NAN;
@@ -40,12 +53,12 @@ bool tr_summary_read(const char *path, const char *name, double *value, tr_statu
     return ok || tr_status_fail(st, TR_BAD_CASE, "error: %.300s has no number `%.60s`", path, name);
 }
 
-bool tr_summary_version(const char *path, char version[TR_SUMMARY_VERSION]) {
-    json_t *o = json_load_file(path, 0, NULL);
+bool tr_summary_version(const char *path, char version[TR_SUMMARY_VERSION], tr_status *st) {
+    json_t *o = load(path, st);
     const char *text = json_string_value(json_object_get(o, "version"));
-    if (text) snprintf(version, TR_SUMMARY_VERSION, "%s", text);
+    snprintf(version, TR_SUMMARY_VERSION, "%s", text ? text : "");
     json_decref(o);
-    return text != NULL;
+    return !st->code;
 }
 
 typedef struct listing {

@@ -14,25 +14,15 @@
 #include <time.h>
 #include <unistd.h>
 
-/* The file dir/name holds this text. */
-static bool holds(const char *dir, const char *name, const char *text, tr_status *st) {
-    char path[TR_PATH];
-    FILE *file = tr_dir_path(path, dir, name, st) ? fopen(path, "rb") : NULL;
-    bool same = file != NULL;
-    while (same && *text) same = fgetc(file) == (unsigned char)*text++;
-    same = same && fgetc(file) == EOF;
-    if (file) fclose(file);
-    return same;
-}
-
 /* A run that is to go on has reached its end already. One of another case is refused. */
 static bool finished(const tr_scene *scene, const tr_run_options *options, tr_status *st) {
     char path[TR_PATH];
     char version[TR_SUMMARY_VERSION];
     if (!options->resume || !tr_dir_path(path, options->dir, "summary.json", st)) return false;
-    if (!tr_summary_version(path, version)) return false;
+    if (!tr_summary_version(path, version, st) || !*version) return false;
+    bool same = false;
     char *resolved = tr_scene_write(scene, tr_laws_catalog(), st);
-    bool same = resolved && holds(options->dir, "case.yaml", resolved, st);
+    if (resolved) tr_dir_holds(options->dir, "case.yaml", resolved, &same, st);
     free(resolved);
     if (!same)
         tr_status_fail(st, TR_FILE, "error: %s holds a finished run of another case; give another -o", options->dir);

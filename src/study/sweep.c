@@ -108,24 +108,12 @@ bool tr_grid_scene(const tr_grid *g, int point, tr_scene *scene, tr_status *st) 
     return ok;
 }
 
-static bool holds(const char *dir, const char *text) {
-    tr_status ignored = {0};
-    char path[TR_PATH];
-    size_t size;
-    char *there = tr_dir_path(path, dir, "case.yaml", &ignored) && !access(path, F_OK)
-                      ? tr_text_file(path, &size, &ignored)
-                      : NULL;
-    bool same = there && size == strlen(text) && memcmp(there, text, size) == 0;
-    free(there);
-    return same;
-}
-
-static bool has_numbers(const tr_grid *g, const char *summary) {
-    tr_status ignored = {0};
+static bool has_numbers(const tr_grid *g, const char *summary, tr_status *st) {
+    tr_status inner = {0};
     double value;
-    for (int k = 0; k < g->n_collect; k++)
-        if (!tr_summary_read(summary, g->collect[k], &value, &ignored)) return false;
-    return true;
+    for (int k = 0; !inner.code && k < g->n_collect; k++) tr_summary_read(summary, g->collect[k], &value, &inner);
+    if (inner.code == TR_FILE) return tr_status_fail(st, inner.code, "%s", inner.text);
+    return !inner.code;
 }
 
 bool tr_grid_state(const tr_grid *g, int point, const char *dir, tr_point_state *state, tr_status *st) {
@@ -135,17 +123,20 @@ bool tr_grid_state(const tr_grid *g, int point, const char *dir, tr_point_state 
     if (!tr_dir_path(path, dir, name, st) || !tr_dir_path(summary, path, "summary.json", st)) return false;
     if (!tr_grid_scene(g, point, &scene, st)) return false;
     char *text = tr_scene_write(&scene, tr_laws_catalog(), st), version[TR_SUMMARY_VERSION];
-    bool ended = !access(summary, F_OK), same = text && holds(path, text);
-    if (!ended)
+    bool ended = !access(summary, F_OK), same = false;
+    bool known = text && tr_dir_holds(path, "case.yaml", text, &same, st) && tr_summary_version(summary, version, st);
+    if (!known)
+        *state = TR_POINT_MISSING; /* and a failure */
+    else if (!ended)
         *state = same ? TR_POINT_BEGUN : TR_POINT_MISSING;
     else if (!same)
         *state = TR_POINT_OTHER;
-    else if (!tr_summary_version(summary, version))
+    else if (!*version)
         *state = TR_POINT_BROKEN;
     else if (strcmp(version, TR_VERSION) != 0)
         *state = TR_POINT_OLD;
     else
-        *state = has_numbers(g, summary) ? TR_POINT_FINISHED : TR_POINT_LACKING;
+        *state = has_numbers(g, summary, st) ? TR_POINT_FINISHED : TR_POINT_LACKING;
     free(text);
     tr_scene_free(&scene);
     return !st->code;
