@@ -82,9 +82,11 @@ static void list(const listing *l, json_t *at, char name[TR_SUMMARY_NAME], size_
     }
 }
 
-void tr_summary_numbers(const char *text, void (*take)(void *context, const char *name), void *context) {
+bool tr_summary_numbers(const char *text, void (*take)(void *context, const char *name), void *context, tr_status *st) {
     char name[TR_SUMMARY_NAME] = "";
     json_t *o = json_loads(text, 0, NULL);
+    if (!o) return tr_status_fail(st, TR_FILE, "error: out of memory (summary)");
     list(&(listing){take, context}, o, name, 0);
     json_decref(o);
+    return true;
 }

@@ -167,7 +167,7 @@ static bool check_collected(const tr_grid *g, int point, const char *summary, tr
     tr_grid_name(g, point, name);
     for (int k = 0; k < g->n_collect; k++) {
         names n = {.wanted = g->collect[k]};
-        tr_summary_numbers(summary, take_name, &n);
+        if (!tr_summary_numbers(summary, take_name, &n, st)) return false;
         if (n.found) continue;
         return tr_text_fail(st, g->collect_mark[k],
                             "no number `%s` will be in the summary.json of point %d (%s)%s; collect of: %s",

@@ -45,8 +45,8 @@ static void names_are_known_before(void **state) {
             !tr_dir_path(path, dir, "summary.json", &st))
             fail_msg("%s", st.text);
         char *after = tr_text_file(path, &size, &st), told[8192] = "", found[8192] = "";
-        tr_summary_numbers(before, list_name, told);
-        tr_summary_numbers(after, list_name, found);
+        tr_summary_numbers(before, list_name, told, &st);
+        tr_summary_numbers(after, list_name, found, &st);
         assert_true(strlen(told) > 60);
         assert_string_equal(told, found);
         free(before), free(after);
