@@ -168,7 +168,8 @@ typedef struct crew {
 
 static void *work(void *context) {
     crew *c = context;
-    for (int k; !is_stopped(c->o) && !atomic_load(&c->starved) && (k = atomic_fetch_add(&c->next, c->o->every)) < c->r->n_lives;) {
+    for (int k; !is_stopped(c->o) && !atomic_load(&c->starved) &&
+                (k = atomic_fetch_add(&c->next, c->o->every)) < c->r->n_lives;) {
         tr_replay_life *life = &c->r->life[k];
         tr_status st = {0};
         if (c->r->row[life->first].a >= 0) {

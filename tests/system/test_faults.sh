@@ -9,7 +9,7 @@ if nm "$TRUNDLE" 2>/dev/null | grep -q __asan_; then
     skip 'faults' 'the address sanitizer has allocations of its own'
     finish
 fi
-tests/faults/faults.sh "$TRUNDLE" "$programs" 151 >"$work/faults"
+tests/faults/faults.sh "$TRUNDLE" "$programs" 251 >"$work/faults"
 while read -r line; do
     case $line in
     *', 0 wrong') check "$line" true ;;
@@ -17,4 +17,5 @@ while read -r line; do
     skipped:*) skip "${line#skipped: }" 'no tracing here' ;;
     esac
 done <"$work/faults"
+check 'the campaign came to its end' grep -q '^[1-9][0-9]* faults, ' "$work/faults"
 finish
