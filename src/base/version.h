@@ -2,6 +2,6 @@
 #ifndef TR_VERSION_H
 #define TR_VERSION_H
 
-#define TR_VERSION "0.1.0"
+#define TR_VERSION "0.2.0"
 
 #endif

@@ -318,7 +318,7 @@ static bool check_held(tr_biaxial *b, tr_status *st) {
         "error: the %s stress is not held: over 1 %% of strain it was %.4g on average, asked %.4g, at strain %.4g, "
         "step %lld, time %.9g s; the test is too fast for it, and shear.inertial_number = %.2g would do",
         shear->hold == TR_HOLD_MEAN ? "mean" : "lateral", (1 + off) * shear->lateral_pressure, shear->lateral_pressure,
-        s.strain, (long long)b->world.steps, s.time,
+        s.strain, (long long)b->world.steps, (double)b->world.steps * b->world.dt,
         shear->inertial_number * 0.1 * MOST_OFF / fabs(off));
 }
 

@@ -26,37 +26,54 @@ tr_crush_limit tr_crush_find(const tr_slot *normal, tr_shape shape, double R1, d
     return (tr_crush_limit){0};
 }
 
-/* Nothing moves but what forces move. */
-static bool is_free(const tr_world *w) {
+static bool moves_as_given(const double *inv, const double *vel) {
+    return (inv[0] == 0 && vel[0] != 0) || (inv[1] == 0 && vel[1] != 0);
+}
+
+static bool wall_moves(const tr_wall *w) {
+    return w->vx != 0 || w->vy != 0;
+}
+
+/* Whether a given motion may bring energy into the scene. */
+static bool is_driven(const tr_world *w) {
+    bool driven = false;
+    for (size_t i = 0; i < (size_t)w->disks.n; i++)
+        driven |= moves_as_given(w->disks.inv + 4 * i, w->disks.vel + 4 * i);
+    for (int i = 0; i < w->n_walls; i++) driven |= wall_moves(&w->wall[i]);
+    return driven;
+}
+
+/* Of all that moves freely. */
+static double kinetic_energy(const tr_world *w) {
+    double sum = 0;
     for (int i = 0; i < w->disks.n; i++)
-        for (int k = 0; k < 2; k++)
-            if (w->disks.inv[4 * (size_t)i + k] == 0 && w->disks.vel[4 * (size_t)i + k] != 0) return false;
-    for (int i = 0; i < w->n_walls; i++)
-        if (w->wall[i].vx != 0 || w->wall[i].vy != 0) return false;
-    return true;
+        for (int k = 4 * i; k < 4 * i + 2; k++)
+            if (w->disks.inv[k] > 0) sum += 0.5 * w->disks.mass[i] * w->disks.vel[k] * w->disks.vel[k];
+    return sum;
 }
 
 void tr_crush_say(const tr_world *world, const tr_crush *crush, char *text, size_t size) {
     const tr_slot *normal = &world->group[crush->walls].slot[TR_NORMAL];
     const tr_disks *d = &world->disks;
     const size_t one = 4 * (size_t)(crush->walls ? crush->b : crush->a), two = 4 * (size_t)crush->b;
+    const double *inv1 = d->inv + one, *inv2 = d->inv + two;
     double R1 = crush->walls ? 0 : d->pos[one + 3], R2 = d->pos[two + 3];
-    double inv = (crush->walls ? 0 : d->inv[one]) + d->inv[two]; /* 1/m_eff; 0: neither gives way */
-    double vx = d->vel[two] - (crush->walls ? 0 : d->vel[one]);
-    double vy = d->vel[two + 1] - (crush->walls ? 0 : d->vel[one + 1]);
+    bool given = moves_as_given(inv2, d->vel + two) ||
+                 (crush->walls ? wall_moves(&world->wall[crush->a]) : moves_as_given(inv1, d->vel + one));
     if (world->steps == 0) {
         snprintf(text, size, "; it is so at the start: place them further apart");
         return;
     }
-    /* What the contact has taken up, and what still comes: a stiffer one gets no more than that from what presses it. Half
-     * as much again for what the dashpot has taken. */
-    double energy = normal->law->elastic(normal->par, R1, R2, crush->delta).energy;
-    if (inv > 0) energy += 0.5 * (vx * vx + vy * vy) / inv;
+    /* What this contact has taken up, and all that may still come to it, from other contacts too. Half as much again for what
+     * the dashpot has taken. */
+    double energy = normal->law->elastic(normal->par, R1, R2, crush->delta).energy + kinetic_energy(world);
     tr_crush_limit limit = tr_crush_find(normal, world->shape, R1, R2, 0, 1.5 * energy);
-    if (!is_free(world) || !(inv > 0))
-        snprintf(text, size, "; the given motion presses it, or contact.%s = %.3g is too small", limit.key, limit.is);
-    else if (limit.key)
-        snprintf(text, size,
-                 "; contact.%s = %.3g %s is too small for the forces or the impact: from about %.2g %s it would hold",
-                 limit.key, limit.is, limit.unit, limit.holds, limit.unit);
+    if (!limit.key) return;
+    if (given)
+        snprintf(text, size, "; the given motion presses it, or contact.%s = %.3g %s is too small", limit.key, limit.is,
+                 limit.unit);
+    else
+        snprintf(text, size, "; contact.%s = %.3g %s is too small for the forces or the impact: %s about %.2g %s%s",
+                 limit.key, limit.is, limit.unit, is_driven(world) ? "it takes at least" : "from", limit.holds,
+                 limit.unit, is_driven(world) ? "" : " it would hold");
 }

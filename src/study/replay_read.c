@@ -147,11 +147,15 @@ static bool check_lives(const tr_replay *r, const char *path, tr_status *st) {
     for (int i = 1; i < r->n_rows; i++) {
         const tr_replay_row *p = &r->row[i - 1], *q = p + 1;
         if (p->life != q->life) continue;
-        if (p->a != q->a || p->b != q->b || p->R1 != q->R1 || p->R2 != q->R2)
+        if (p->a != q->a || p->b != q->b)
             return tr_status_fail(st, TR_BAD_CASE,
-                                  "%.400s:%ld: error: life %d is of %d and %d here, of %d and %d in line %ld (or their "
-                                  "radii differ)",
-                                  path, q->line, q->life, q->a, q->b, p->a, p->b, p->line);
+                                  "%.400s:%ld: error: life %d is of %d and %d here, of %d and %d in line %ld", path,
+                                  q->line, q->life, q->a, q->b, p->a, p->b, p->line);
+        if (p->R1 != q->R1 || p->R2 != q->R2)
+            return tr_status_fail(st, TR_BAD_CASE,
+                                  "%.400s:%ld: error: the radii of life %d are %.9g and %.9g here, %.9g and %.9g in "
+                                  "line %ld",
+                                  path, q->line, q->life, q->R1, q->R2, p->R1, p->R2, p->line);
         if (q->instant != p->instant + 1)
             return tr_status_fail(
                 st, TR_BAD_CASE,

@@ -53,12 +53,13 @@ fits() {
 # watch NAME: what of it fails, one a line; nothing if all is well or it cannot be built
 watch() {
     case $1 in
-    =*) timeout 120 ./trundle verify "${1#=}" >"$work/out" 2>&1 ;;
-    *) CMOCKA_MESSAGE_OUTPUT=TAP timeout 120 "build/release/tests/$1" >"$work/out" 2>&1 ;;
+    =*) timeout 300 ./trundle verify "${1#=}" >"$work/out" 2>&1 ;;
+    *) CMOCKA_MESSAGE_OUTPUT=TAP timeout 300 "build/release/tests/$1" >"$work/out" 2>&1 ;;
     esac
     code=$?
     sed -n -e 's/^not ok *[0-9]* *-* *//p' -e 's/^  FAILED \(.\{44\}\).*/\1/p' "$work/out" | sed 's/ *$//' >"$work/failed"
-    [ "$code" -eq 0 ] || [ -s "$work/failed" ] || echo "ended with code $code" >"$work/failed"
+    # a program that takes too long tells nothing: the machine may be slow
+    [ "$code" -eq 0 ] || [ "$code" -eq 124 ] || [ -s "$work/failed" ] || echo "ended with code $code" >"$work/failed"
     grep -vi golden "$work/failed"
 }
 build() {
