@@ -10,7 +10,8 @@
 enum { BEHIND = 3 }; /* gather reads four contacts at a time: valid ids behind the end of the list */
 
 bool tr_list_reserve(tr_group *g, int n, tr_status *st) {
-    if (n + BEHIND <= g->capacity) return true;
+    bool whole = !g->n_hist || g->hist[g->n_hist - 1]; /* a sink may have come since */
+    if (whole && n + BEHIND <= g->capacity) return true;
     size_t now = (size_t)g->n, old = (size_t)g->old_n, both = now > old ? now : old;
     size_t grown = (size_t)n + (size_t)n / 4 + TR_TILE;
     bool ok = tr_alloc_grow(&g->a, now, grown, sizeof(int), st) && tr_alloc_grow(&g->b, now, grown, sizeof(int), st) &&

@@ -165,6 +165,7 @@ bool tr_world_change_laws(tr_world *world, const tr_scene_contact *contact, bool
     if (ok && before.n && friction->n_hist && friction == now->slot[TR_FRICTION].law) {
         ok = tr_contacts_refresh(world, st);
         if (ok) carry_friction(now, &before);
+        world->stale = true; /* sinks may still come, and want their arrays */
     }
     group_free(&before);
     return ok;

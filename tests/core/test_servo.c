@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Start and servo of the biaxial test. References: the stress that is asked for, the balance that compaction is asked
  * for, geometry, and that a test which fails as too fast holds at the speed that its message names. */
+#include "core/increments.h"
 #include "core/measures.h"
+#include "core/paths.h"
 #include "core/worlds.h"
 
 static const double ASKED = 160e3, AT_REST = 1e-4; /* [Pa]; the unbalanced ratio of compaction in biaxial_scene */
@@ -63,6 +65,24 @@ static void test_friction_of_the_compaction_is_kept(void **state) {
     starts_from_balance(TR_WALLS, 0.5, 0.5);
     starts_from_balance(TR_PERIODIC, 0.5, 0.5);
     starts_from_balance(TR_WALLS, 0.2, 0.5);
+}
+
+/* Sinks that come when the list already carries that friction: they get arrays, and change no bit. */
+static void test_sinks_that_come_to_kept_friction(void **state) {
+    (void)state;
+    tr_biaxial b[2];
+    static tr_paths paths = {.all = true};
+    static tr_increments increments;
+    tr_scene scene = scene_of(60, 3, TR_PERIODIC, TR_HOLD_LATERAL);
+    scene.compaction.mu = 0.5;
+    for (int k = 0; k < 2; k++) {
+        compact(&b[k], &scene), begin_shear(&b[k]);
+        if (k) tr_paths_attach(&b[k].world, &paths), tr_increments_attach(&b[k].world, &increments);
+        for (int i = 0; i < 50; i++) shear_forces(&b[k]), tr_step_advance(&b[k].world);
+    }
+    assert_true(paths.lives > 60);
+    assert_same_bits(&b[0].world, &b[1].world);
+    tr_biaxial_free(&b[0]), tr_biaxial_free(&b[1]);
 }
 
 static void test_less_friction_in_the_shear_comes_to_rest_first(void **state) {
@@ -179,6 +199,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_shear_starts_from_balance),
         cmocka_unit_test(test_friction_of_the_compaction_is_kept),
+        cmocka_unit_test(test_sinks_that_come_to_kept_friction),
         cmocka_unit_test(test_less_friction_in_the_shear_comes_to_rest_first),
         cmocka_unit_test(test_the_driven_sides_start_smoothly),
         cmocka_unit_test(test_held_within_5_percent_from_row_to_row),
