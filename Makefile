@@ -25,7 +25,7 @@ LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o)
 CLI_OBJ  := $(CLI_SRC:%=$(BUILD)/%.o)
 TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all biaxial figures wang kuhn kuhn-film bands replay features bench bench-peers demos gallery verify test mutate faults test-slurm install asan fuzz lint format clean help packages-% build-all build-faults run-demos run-tests
+.PHONY: all biaxial figures wang kuhn kuhn-film bands replay features bench bench-peers demos gallery verify test mutate faults random test-slurm install asan fuzz lint format clean help packages-% build-all build-faults build-random run-demos run-tests
 .SECONDARY:
 
 all: packages-build
@@ -120,6 +120,14 @@ faults: packages-test
 	@$(MAKE) --no-print-directory build-all build-faults
 	tests/faults/faults.sh $(TRUNDLE) $(BUILD)/tests/faults $(STRIDE)
 
+# N random scenes with threads and stops; of what goes wrong the scene and its files stay in out/random/. Another SEED, other scenes.
+N    ?= 200
+SEED ?= 1
+random: packages-test
+	@$(MAKE) --no-print-directory build-random
+	@mkdir -p $(OUT)/random
+	$(BUILD)/random $(OUT)/random $(N) $(SEED)
+
 # The job array of cases/cluster/ on a Slurm of one node that the test brings up; needs root.
 test-slurm: packages-slurm
 	@$(MAKE) --no-print-directory build-all
@@ -156,6 +164,7 @@ help:
 	@echo 'make biaxial   install what is missing, build, run the biaxial test of cases/biaxial.yaml'
 	@echo 'make test      install what is missing, build, run all tests; last line: N passed, N failed'
 	@echo 'make faults    in runs of every kind each allocation and each call to the system fails in turn; an hour or two, STRIDE=10 for a tenth'
+	@echo 'make random    N=200 random scenes of all laws and kinds, with threads and stops; a minute. What goes wrong stays in out/random/; SEED=2 for others'
 	@echo 'make figures   build, and draw figures/*.gp with their data into out/figures/ (needs gnuplot); then make wang and make bands'
 	@echo 'make features  build, measure what each feature and each law costs, and draw it: out/figures/features.png'
 	@echo 'make wang      build, sweep the biaxial test as Wang did, and judge each claim: out/wang/; SEEDS=3 for a minute of it'
@@ -206,6 +215,12 @@ $(BUILD)/tests/core/test_allocation: LDFLAGS += -Wl,--wrap=malloc,--wrap=aligned
 
 # In this one calls fail.
 $(BUILD)/tests/base/test_checkpoint: LDFLAGS += -Wl,--wrap=openat,--wrap=write,--wrap=fsync,--wrap=close,--wrap=renameat,--wrap=unlinkat
+
+# Random scenes, and how a run is stopped.
+RANDOM_OBJ := $(patsubst %,$(BUILD)/%.o,$(wildcard tests/random/*.c) src/cli/stop.c)
+build-random: $(BUILD)/random
+$(BUILD)/random: $(RANDOM_OBJ) $(BUILD)/libtrundle.a
+	$(CXX) $(CFLAGS) $(OPENMP) $(LDFLAGS) -o $@ $^ $(LIBS)
 
 # What lets calls fail in a program as it is, tests/faults/.
 build-faults: $(BUILD)/tests/faults/memory.so $(BUILD)/tests/faults/calls
@@ -261,7 +276,7 @@ $(OUT)/demos/%.done: cases/%.yaml $(TRUNDLE)
 $(OUT)/gallery/index.html: $(wildcard figures/gallery/* $(OUT)/demos/*/summary.json)
 	figures/gallery/build.sh $(OUT)/demos $(OUT)/gallery $(DEMOS)
 
-run-tests: $(TRUNDLE) $(TESTS) build-faults $(FUZZ:%=$(BUILD)/tests/fuzz/replay_%)
-	@BUILD=$(abspath $(BUILD)) FAULTS=$(abspath $(BUILD)/tests/faults) tests/run $(TRUNDLE) $(TESTS)
+run-tests: $(TRUNDLE) $(TESTS) build-faults build-random $(FUZZ:%=$(BUILD)/tests/fuzz/replay_%)
+	@BUILD=$(abspath $(BUILD)) FAULTS=$(abspath $(BUILD)/tests/faults) RANDOM_SCENES=$(abspath $(BUILD)/random) tests/run $(TRUNDLE) $(TESTS)
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -17,7 +17,7 @@
 static const double WIDE_SKIN = 0.30, THIN_SKIN = 0.025;
 
 bool tr_world_init(tr_world *world, int n, tr_shape shape, tr_status *st) {
-    *world = (tr_world){.shape = shape, .disks.n = n, .group[1].walls = true, .stale = true};
+    *world = (tr_world){.shape = shape, .disks.n = n, .group[1].walls = true, .stale = true, .alone_to = TR_FEW_DISKS};
     tr_disks *d = &world->disks;
     size_t lanes = (size_t)n * 4;
     world->broad = tr_broad_choose(n);
@@ -198,9 +198,8 @@ tr_law_data tr_group_data(const tr_group *group, const tr_slot *slot) {
 }
 
 int tr_world_threads(const tr_world *world) {
-    enum { MANY = 4000 };
     int threads = tr_threads();
-    return world->disks.n <= MANY ? 1 : threads < TR_MOST_THREADS ? threads : TR_MOST_THREADS;
+    return world->disks.n <= world->alone_to ? 1 : threads < TR_MOST_THREADS ? threads : TR_MOST_THREADS;
 }
 
 size_t tr_world_bytes(const tr_world *world) {

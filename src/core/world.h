@@ -177,6 +177,7 @@ typedef struct tr_world {
     bool spent;        /* tr_step_advance has used the forces, and left 0 */
     bool fresh;        /* laws were just set: nothing has moved since the histories were zero */
     bool stale;        /* the list no longer holds every pair that may touch */
+    int alone_to;      /* up to so many disks one thread does all: threads would wait longer for each other than they work */
     int64_t searches, refreshes;
     tr_crush crush; /* what tr_step_forces has failed for, if it was that */
 } tr_world;
@@ -217,8 +218,8 @@ tr_pair_bodies tr_world_pair(const tr_world *world, const tr_group *group, int a
 /* What the law of a slot sees. */
 tr_law_data tr_group_data(const tr_group *group, const tr_slot *slot);
 
-/* Threads that share the work of its steps: below some thousand disks one, they would wait longer for each other than they
- * work. */
+/* Threads that share the work of its steps: one up to alone_to disks, which tr_world_init sets to TR_FEW_DISKS. */
+enum { TR_FEW_DISKS = 4000 };
 int tr_world_threads(const tr_world *world);
 
 /* Bytes that the world holds, less those of the pair finder's own; how many history arrays there are, of both groups. */
