@@ -9,7 +9,7 @@
 #include <signal.h>
 
 static const char text[] =
-    "kind: biaxial\nseed: 1\nsample: {disks: 15, r_min: 0.76 mm, r_max: 1.52 mm}\n"
+    "kind: biaxial\nseed: 1\nsample: {disks: 8, r_min: 0.76 mm, r_max: 1.52 mm}\n"
     "contact: {normal: hertz-line, E_star: 100 MPa, friction: cattaneo-mindlin, mu: 0.5, mu_r: 0.5, k_r: 8 MPa}\n"
     "compaction: {pressure: 160 kPa, inertial_number: 0.1, unbalanced: 1e-2}\n"
     "shear: {inertial_number: 2e-2, strain_end: 0.03}\n"
@@ -50,6 +50,9 @@ static bool go(bool first, bool resume, tr_status *st) {
 
 static void begin(void) {
     tr_status st = {0};
+    char old[TR_PATH];
+    snprintf(old, sizeof old, "%s/sample.bin", fuzz_dir());
+    remove(old);
     if (!tr_scene_read(&scene, "fuzz", text, sizeof text - 1, NULL, 0, tr_laws_catalog(), &st) ||
         go(true, false, &st) || st.code != TR_INTERRUPTED) {
         fprintf(stderr, "%s\n", st.text);
