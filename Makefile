@@ -25,7 +25,7 @@ LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o)
 CLI_OBJ  := $(CLI_SRC:%=$(BUILD)/%.o)
 TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all biaxial figures wang kuhn kuhn-film bands replay features bench bench-peers demos gallery verify test mutate faults random test-slurm install asan fuzz lint format clean help packages-% build-all build-faults build-random run-demos run-tests
+.PHONY: all biaxial figures wang kuhn kuhn-film bands replay features bench bench-peers demos gallery verify test mutate faults random test-slurm install asan tsan fuzz lint format clean help packages-% build-all build-faults build-random run-demos run-tests
 .SECONDARY:
 
 all: packages-build
@@ -133,10 +133,20 @@ test-slurm: packages-slurm
 	@$(MAKE) --no-print-directory build-all
 	TRUNDLE=$(abspath $(TRUNDLE)) tests/cluster/slurm.sh
 
-# The same tests under the address and undefined-behaviour sanitizers.
+# The same tests under the address and undefined-behaviour sanitizers: of gcc, and of clang where it is, which sees other faults. Without
+# OpenMP there, which would need one more package.
+SANITIZE := CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=undefined'
 asan: packages-test
-	@$(MAKE) --no-print-directory run-tests BUILD=build/asan TRUNDLE=build/asan/trundle \
-	    CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=undefined'
+	@$(MAKE) --no-print-directory run-tests BUILD=build/asan TRUNDLE=build/asan/trundle $(SANITIZE)
+	@if .ci/packages has clang clang:asan; then \
+	    $(MAKE) --no-print-directory run-tests BUILD=build/asan-clang TRUNDLE=build/asan-clang/trundle CC=clang CXX=clang++ OPENMP= $(SANITIZE); \
+	else echo 'without clang: it is not installed, or libclang-rt-dev is not'; fi
+
+# Races of threads, told by clang's sanitizer with the runtime of OpenMP that it knows.
+tsan: packages-tsan
+	@$(MAKE) --no-print-directory build-all
+	@$(MAKE) --no-print-directory build/tsan/trundle BUILD=build/tsan CC=clang CXX=clang++ CFLAGS='-O1 -g -fsanitize=thread'
+	@tests/tsan/run.sh $(TRUNDLE) build/tsan/trundle
 
 # Each reader is fed with what libFuzzer makes of the inputs in tests/fuzz/corpus, for so many seconds.
 SECONDS ?= 60
@@ -180,7 +190,8 @@ help:
 	@echo 'make mutate    make some 150 changes of signs and factors in a copy of the tree, and say which test or row of verify sees each; half an hour'
 	@echo 'make           install what is missing, build ./trundle'
 	@echo 'make install   PREFIX=$(PREFIX) DESTDIR=$(DESTDIR): trundle and the cases'
-	@echo 'make asan      the tests under the address and undefined-behaviour sanitizers'
+	@echo 'make asan      the tests under the address and undefined-behaviour sanitizers of gcc, and of clang where it is installed'
+	@echo 'make tsan      a run by two threads, with frames, under the thread sanitizer (clang)'
 	@echo 'make fuzz      hostile input for every reader, by libFuzzer (clang): SECONDS=60 for each; what it finds is kept in build/fuzz/found/'
 	@echo 'make lint      clang-tidy and cppcheck'
 	@echo 'make format    clang-format on all sources'

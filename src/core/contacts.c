@@ -132,10 +132,13 @@ static void pick(void *context, int k) {
 static void put(void *context, int k) {
     const pruning *p = context;
     const tr_pairs *near = &p->world->near;
-    const int *picked = p->world->picked + tr_threads_share(near->n, k, p->threads);
     const share *s = &p->share[k];
     tr_group *g = &p->world->group[0];
-    for (int i = 0; i < s->n; i++) g->a[s->first + i] = near->a[picked[i]], g->b[s->first + i] = near->b[picked[i]];
+    int from = tr_threads_share(near->n, k, p->threads);
+    for (int i = 0; i < s->n; i++) {
+        int pair = p->world->picked[from + i];
+        g->a[s->first + i] = near->a[pair], g->b[s->first + i] = near->b[pair];
+    }
 }
 
 /* What is too deep is found before anything of the list changes. */
