@@ -133,14 +133,13 @@ test-slurm: packages-slurm
 	@$(MAKE) --no-print-directory build-all
 	TRUNDLE=$(abspath $(TRUNDLE)) tests/cluster/slurm.sh
 
-# The same tests under the address and undefined-behaviour sanitizers: of gcc, and of clang where it is, which sees other faults. Without
-# OpenMP there, which would need one more package.
+# The same tests under the address and undefined-behaviour sanitizers: of gcc, and of clang where it is, which sees other faults.
 SANITIZE := CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=undefined'
 asan: packages-test
 	@$(MAKE) --no-print-directory run-tests BUILD=build/asan TRUNDLE=build/asan/trundle $(SANITIZE)
-	@if .ci/packages has clang clang:asan; then \
-	    $(MAKE) --no-print-directory run-tests BUILD=build/asan-clang TRUNDLE=build/asan-clang/trundle CC=clang CXX=clang++ OPENMP= $(SANITIZE); \
-	else echo 'without clang: it is not installed, or libclang-rt-dev is not'; fi
+	@if .ci/packages has clang clang:asan clang:libarcher.so; then \
+	    $(MAKE) --no-print-directory run-tests BUILD=build/asan-clang TRUNDLE=build/asan-clang/trundle CC=clang CXX=clang++ $(SANITIZE); \
+	else echo 'without clang: it, libclang-rt-dev or libomp-dev is not installed'; fi
 
 # Races of threads, told by clang's sanitizer with the runtime of OpenMP that it knows.
 tsan: packages-tsan
