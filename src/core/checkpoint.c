@@ -34,11 +34,11 @@ static void keep_box(tr_world *world, tr_checkpoint *c) {
     TR_KEEP(c, world->wall, world->n_walls);
     TR_KEEP(c, &world->cell, 1);
     for (int k = 0; k < world->n_walls; k++, w++) {
-        double sum = w->x + w->y + w->vx + w->vy + w->load + w->fx + w->fy + w->length;
+        double sum = w->x + w->y + w->vx + w->vy + w->gain + w->load + w->fx + w->fy + w->length;
         ok = ok && sum - sum == 0 && fabs(hypot(w->nx, w->ny) - 1) < 1e-9 && w->mass >= 0 && w->v_max >= 0;
     }
     for (int k = 0; k < 2; k++) {
-        double sum = cell->side[k] + cell->rate[k] + cell->load[k] + cell->virial[k];
+        double sum = cell->side[k] + cell->rate[k] + cell->gain[k] + cell->load[k] + cell->virial[k];
         ok = ok && sum - sum == 0 && cell->side[k] >= 0 && cell->mass[k] >= 0 && cell->v_max[k] >= 0;
     }
     ok = ok && (cell->side[0] > 0) == (cell->side[1] > 0);
