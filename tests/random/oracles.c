@@ -74,8 +74,9 @@ static double value(const table *t, const char *column) {
 /* What may have no number: tan phi of a stress that pulls; the spread of what no contact did; the bound of a step where nothing
  * can vibrate; what never happened, of a check. */
 static bool may_be_empty(const char *column) {
-    static const char *const part[] = {"tan_phi", "_over_slide", "a_over_R", "run_over_a", "rolled_in_runs", "friction_share_of_q",
-                                       "dt_bound_s", "\"measured\"", "\"error\""};
+    static const char *const part[] = {"tan_phi",    "_over_slide",    "a_over_R",
+                                       "run_over_a", "rolled_in_runs", "friction_share_of_q",
+                                       "dt_bound_s", "\"measured\"",   "\"error\""};
     for (size_t k = 0; k < sizeof part / sizeof *part; k++)
         if (strstr(column, part[k])) return true;
     return false;
@@ -108,7 +109,8 @@ static bool check_json(const char *dir, const char *name, oracle_text *why) {
     if (!text) return wrong(why, "cannot read %s", name);
     for (char *p = text, *line; ok && (line = strsep(&p, "\n"));) {
         char *at = strstr(line, ": ");
-        if (at && (strncmp(at, ": null", 6) == 0 || strncasecmp(at, ": nan", 5) == 0 || strstr(at, ": inf")) && !may_be_empty(line))
+        if (at && (strncmp(at, ": null", 6) == 0 || strncasecmp(at, ": nan", 5) == 0 || strstr(at, ": inf")) &&
+            !may_be_empty(line))
             ok = wrong(why, "%s: %s", name, line);
     }
     free(text);
@@ -194,14 +196,16 @@ bool oracle_inside(const tr_scene *scene, const char *dir, oracle_text *why) {
     /* Nine digits of places that may be some sides away from 0. */
     const double rounding = 1e-7 * (height + width);
     if (high[0] - low[0] < width + rounding && high[1] - low[1] < height + rounding && isfinite(low[0])) return true;
-    return wrong(why, "centres over %g x %g m between walls %g x %g m apart", high[0] - low[0], high[1] - low[1], width, height);
+    return wrong(why, "centres over %g x %g m between walls %g x %g m apart", high[0] - low[0], high[1] - low[1], width,
+                 height);
 }
 
 /* ---- energy ---- */
 
 bool oracle_energy(const tr_scene *scene, const char *dir, oracle_text *why) {
-    static const char *const term[] = {"work_J", "kinetic_J", "elastic_normal_J", "elastic_friction_J", "elastic_rolling_J",
-                                       "damped_J", "friction_J", "rolling_J", "damped_made", "friction_made", "rolling_made"};
+    static const char *const term[] = {
+        "work_J",     "kinetic_J", "elastic_normal_J", "elastic_friction_J", "elastic_rolling_J", "damped_J",
+        "friction_J", "rolling_J", "damped_made",      "friction_made",      "rolling_made"};
     table t;
     double most = 0, worst = 0;
     if (scene->kind != TR_KIND_BIAXIAL || !scene->output.energy) return true;
@@ -211,8 +215,10 @@ bool oracle_energy(const tr_scene *scene, const char *dir, oracle_text *why) {
         worst = fmax(worst, fabs(value(&t, "residual_J")));
     }
     free(t.text);
-    if (getenv("RANDOM_VERBOSE")) printf("residual %.3g safety %g\n", worst / most, scene->step.safety);
-    return worst <= 1e-2 * most || wrong(why, "the energy residual is %.3g of the largest term", worst / most);
+    /* It is of first order in the step: contacts open and close between two. Some 0.005 times the share that the step is of
+     * its bound, of 200 tests of a few disks and a few hundred steps. */
+    return worst <= 0.02 * scene->step.safety * most ||
+           wrong(why, "the energy residual is %.3g of the largest term", worst / most);
 }
 
 /* ---- bytes ---- */

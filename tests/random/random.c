@@ -27,9 +27,7 @@
 enum { LIMIT = 60, MOST_STOPS = 3, DRAFTS = 20, HANGS = 1000, MOST_PATH = 400 };
 
 /* Shared by the processes that judge scenes. */
-static struct counts {
-    atomic_int scenes, failed, stops, runs, refused, code[5], kind[4];
-} *counts;
+static struct counts { atomic_int scenes, failed, stops, runs, refused, code[5], kind[4]; } * counts;
 
 /* ---- one run, in a process of its own ---- */
 
@@ -49,8 +47,12 @@ static void work(const job *j) {
     if (chdir(j->home) || !freopen("/dev/null", "w", stdout)) exit(99);
     tr_threads_set(j->threads);
     if (tr_scene_read_file(&scene, j->scene, NULL, 0, tr_laws_catalog(), &st)) {
-        tr_run_options o = {.dir = "out", .title = "random", .resume = j->resume, .checkpoint = j->checkpoint,
-                            .share_few = true, .stop = stop};
+        tr_run_options o = {.dir = "out",
+                            .title = "random",
+                            .resume = j->resume,
+                            .checkpoint = j->checkpoint,
+                            .share_few = true,
+                            .stop = stop};
         tr_run(&scene, &o, &report, &st);
         tr_scene_free(&scene);
     }
@@ -73,7 +75,8 @@ static pid_t start(const job *j) {
 /* The exit code; 1000 for a hang, 1000 + N for another signal. */
 static int end(pid_t pid) {
     int status;
-    while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {}
+    while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+    }
     if (WIFEXITED(status)) return WEXITSTATUS(status);
     return WTERMSIG(status) == SIGALRM ? HANGS : HANGS + WTERMSIG(status);
 }
@@ -142,9 +145,12 @@ static bool with_stops(judge *j, int expected) {
         usleep((useconds_t)(1e6 * when));
         kill(pid, number);
         code = end(pid);
-        if (code == HANGS + number || code == TR_INTERRUPTED) counts->stops++;
-        else if (code == expected) break;
-        else return fail(j, "with stops", code, j->path[2]);
+        if (code == HANGS + number || code == TR_INTERRUPTED)
+            counts->stops++;
+        else if (code == expected)
+            break;
+        else
+            return fail(j, "with stops", code, j->path[2]);
     }
     if (code != expected) code = end(start(&(job){j->scene, j->path[2], 1, true, 60}));
     return all_same(j, "after stops", code, expected, j->path[2]);
@@ -178,14 +184,17 @@ static void sweep_out(const char *dir) {
 
 /* By a process, for a scene may end that too. */
 static int draft(const char *path, uint64_t seed) {
+    static const char *const trial[] = {"cell would be too thin", "is out of reach", "too long for a test"};
     fflush(NULL);
     pid_t pid = fork();
     if (pid == 0) {
         tr_status st = {0};
         alarm(LIMIT);
         bool ok = scenes_write(path, seed, &st);
-        if (st.code && st.code != TR_BAD_CASE) fprintf(stderr, "%s: %s\n", path, st.text);
-        exit(ok ? TR_OK : st.code);
+        bool known = false;
+        for (size_t k = 0; k < sizeof trial / sizeof *trial; k++) known |= strstr(st.text, trial[k]) != NULL;
+        if (!ok && !known) fprintf(stderr, "%s: %s\n", path, st.text);
+        exit(ok ? TR_OK : known ? TR_BAD_CASE : 99);
     }
     return end(pid);
 }
@@ -210,8 +219,10 @@ static void judge_one(const char *dir, const char *name, uint64_t seed, const ch
     j.random = tr_random_seed(seed, 2);
     ok = ok && judge_scene(&j);
     counts->scenes++;
-    if (ok) sweep_out(j.home);
-    else printf("not ok %s: %s\n", j.scene, j.why.text), counts->failed++;
+    if (ok)
+        sweep_out(j.home);
+    else
+        printf("not ok %s: %s\n", j.scene, j.why.text), counts->failed++;
     fflush(stdout);
 }
 
@@ -240,10 +251,13 @@ int main(int argc, char **argv) {
         }
         exit(0);
     }
-    while (wait(NULL) > 0) {}
-    printf("%d scenes (%d biaxial, %d bodies, %d contact, %d patch; ended with 0: %d, 1: %d, 4: %d; %d drafts refused), %d runs, "
+    while (wait(NULL) > 0) {
+    }
+    printf("%d scenes (%d biaxial, %d bodies, %d contact, %d patch; ended with 0: %d, 1: %d, 4: %d; %d drafts "
+           "refused), %d runs, "
            "%d stops, %.0f s: %d failed\n",
-           counts->scenes, counts->kind[0], counts->kind[1], counts->kind[2], counts->kind[3], counts->code[0], counts->code[1],
-           counts->code[4], counts->refused, counts->runs, counts->stops, now() - started, counts->failed);
+           counts->scenes, counts->kind[0], counts->kind[1], counts->kind[2], counts->kind[3], counts->code[0],
+           counts->code[1], counts->code[4], counts->refused, counts->runs, counts->stops, now() - started,
+           counts->failed);
     return counts->failed || counts->scenes != n;
 }
