@@ -71,8 +71,8 @@ static double value(const table *t, const char *column) {
 
 /* ---- numbers ---- */
 
-/* What may have no number: tan phi of a stress that pulls; the spread of what no contact did; the bound of a step where nothing
- * can vibrate; what never happened, of a check. */
+/* What may have no number: tan phi of a stress that pulls; the spread of what no contact did; the bound of a step
+ * where nothing can vibrate; what never happened, of a check. */
 static bool may_be_empty(const char *column) {
     static const char *const part[] = {"tan_phi",    "_over_slide",    "a_over_R",
                                        "run_over_a", "rolled_in_runs", "friction_share_of_q",
@@ -215,8 +215,8 @@ bool oracle_energy(const tr_scene *scene, const char *dir, oracle_text *why) {
         worst = fmax(worst, fabs(value(&t, "residual_J")));
     }
     free(t.text);
-    /* It is of first order in the step: contacts open and close between two. Some 0.005 times the share that the step is of
-     * its bound, of 200 tests of a few disks and a few hundred steps. */
+    /* It is of first order in the step: contacts open and close between two. Some 0.005 times the share that the step is
+     * of its bound, of 200 tests of a few disks and a few hundred steps. */
     return worst <= 0.02 * scene->step.safety * most ||
            wrong(why, "the energy residual is %.3g of the largest term", worst / most);
 }

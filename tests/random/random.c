@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Random scenes. Each runs by one thread, by several, and with stops (SIGKILL, SIGTERM, SIGINT, SIGHUP) and --resume. What
- * must hold: an exit code that a valid scene may have, no signal, no hang, and what oracles.h says. The library runs the
- * scenes as `trundle run` does, but that threads share the work of the smallest.
+/* Random scenes. Each runs by one thread, by several, and with stops (SIGKILL, SIGTERM, SIGINT, SIGHUP) and
+ * --resume. What must hold: an exit code that a valid scene may have, no signal, no hang, and what oracles.h says. The
+ * library runs the scenes as `trundle run` does, but that threads share the work of the smallest.
  *
  * usage: random DIR N SEED      N scenes; of what went wrong the scene and its runs stay in DIR/SEED-NUMBER
  *        random DIR FILE.yaml   one scene */
