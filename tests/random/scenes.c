@@ -231,7 +231,7 @@ static void bodies(maker *m) {
         fprintf(m->out, "}\n");
     }
     if (one_in(m, 2)) {
-        double g = m->K / (m->rho * m->R) * power(m, -7, -3);
+        double g = fmin(m->K / (m->rho * m->R) * power(m, -7, -3), 1e9);
         fprintf(m->out, "gravity: {x: %.6g, y: %.6g", uniform(m, -g, g), -g);
         fprintf(m->out, ", turn: %.6g}\n",
                 one_in(m, 3) ? sign(m) * fmin(power(m, -3, 0) * sqrt(m->K / m->rho) / m->R, 1e6) : 0);
