@@ -61,6 +61,15 @@ bool tr_summary_version(const char *path, char version[TR_SUMMARY_VERSION], tr_s
     return !st->code;
 }
 
+bool tr_summary_failed(const char *path, int *n, tr_status *st) {
+    json_t *o = load(path, st), *check;
+    size_t i;
+    *n = 0;
+    json_array_foreach(json_object_get(o, "checks"), i, check) *n += json_is_false(json_object_get(check, "ok"));
+    json_decref(o);
+    return !st->code;
+}
+
 typedef struct listing {
     void (*take)(void *context, const char *name);
     void *context;

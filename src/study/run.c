@@ -31,8 +31,10 @@ static bool finished(const tr_scene *scene, const tr_run_options *options, tr_st
 
 static bool run(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st) {
     if (finished(scene, options, st)) {
+        char path[TR_PATH];
         tr_checkpoint_remove(options->dir); /* if it was killed right before that */
-        return tr_run_note(report, "nothing to resume: this run is finished"), true;
+        tr_run_note(report, "nothing to resume: this run is finished");
+        return tr_dir_path(path, options->dir, "summary.json", st) && tr_summary_failed(path, &report->failed, st);
     }
     if (st->code) return false;
     switch (scene->kind) {

@@ -58,6 +58,15 @@ before=$(cat kept/* | cksum)
 check 'survives --force with a bad case' run_gives 2 bodies.yaml -o kept --force --set step.dt=1
 check 'byte for byte' equals "$(cat kept/* | cksum)" "$before"
 
+# ---- a check that fails: 1 ----
+{
+    cat bodies.yaml
+    echo 'checks: [{what: speed, disk: 0, exact: 100 m/s, tolerance: 1 m/s}]'
+} >checked.yaml
+check 'a check that fails' fails 1 'checks of checked.yaml failed' checked.yaml -o checked
+check 'the run is finished' test -e checked/summary.json
+check '--resume tells of the check again' fails 1 'checks of checked.yaml failed' checked.yaml -o checked --resume
+
 # ---- files: 3 ----
 touch file
 ln -s loop loop
