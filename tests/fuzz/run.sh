@@ -5,6 +5,9 @@
 set -u
 build=$(realpath "$1") seconds=$2
 shift 2
+case $seconds in
+'' | 0* | *[!0-9]*) echo "SECONDS must be a whole number above 0, not $seconds" >&2 && exit 2 ;;
+esac
 tests=$(realpath "$(dirname "$0")")
 memory=${TMPDIR:-/tmp}
 [ -w /dev/shm ] && memory=/dev/shm
