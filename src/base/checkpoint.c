@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "base/hash.h"
+#include "base/regular.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -167,11 +168,10 @@ bool tr_checkpoint_sync(const char *dir, const char *name, tr_status *st) {
 /* st: it is damaged, so that the one before may take its place. c->st: it may be as it should, but could not be read. */
 static bool read_file(tr_checkpoint *c, const char *path, bool *there, tr_status *st) {
     struct stat info;
-    FILE *file = fopen(path, "rbe");
-    *there = file || errno != ENOENT;
+    FILE *file = tr_regular_open(path, c->st);
+    *there = file || c->st->code;
     if (!file || fstat(fileno(file), &info)) {
-        if (*there) tr_status_fail(c->st, TR_FILE, "error: cannot read %s: %s", path, strerror(errno));
-        if (file) fclose(file);
+        if (file) tr_status_fail(c->st, TR_FILE, "error: cannot read %s: %s", path, strerror(errno)), fclose(file);
         return false;
     }
     c->size = (size_t)info.st_size;
@@ -259,6 +259,14 @@ bool tr_checkpoint_close(tr_checkpoint *c) {
                        next(c).name);
     free(c->bytes), c->bytes = NULL;
     return !c->st->code;
+}
+
+bool tr_checkpoint_is_one(int fd) {
+    struct stat info;
+    char begin[sizeof MAGIC];
+    if (fstat(fd, &info) || !S_ISREG(info.st_mode) || info.st_nlink > 1) return false;
+    ssize_t n = pread(fd, begin, sizeof begin, 0);
+    return n >= 0 && !memcmp(begin, MAGIC, (size_t)n);
 }
 
 static void remove_one(const char *dir, const char *name) {

@@ -60,6 +60,10 @@ bool tr_checkpoint_open(tr_checkpoint *c, const char *dir, const char *name, con
                         tr_status *instead, tr_status *st);
 bool tr_checkpoint_close(tr_checkpoint *c);
 
+/* Whether an open file is empty, or begins as a checkpoint does, and has no second name: the part of a run, not a file of the
+ * user's. */
+bool tr_checkpoint_is_one(int fd);
+
 /* Of a finished run. */
 void tr_checkpoint_remove(const char *dir);
 

@@ -2,6 +2,7 @@
 #include "out/dir.h"
 
 #include "base/part.h"
+#include "base/regular.h"
 #include "out/made.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -60,14 +61,33 @@ bool tr_dir_holds(const char *dir, const char *name, const char *text, bool *sam
     char path[TR_PATH];
     *same = false;
     if (!tr_dir_path(path, dir, name, st)) return false;
-    FILE *file = fopen(path, "rbe");
-    if (!file && errno == ENOENT) return true;
-    *same = file != NULL;
+    FILE *file = tr_regular_open(path, st);
+    if (!file) return !st->code;
+    *same = true;
     while (*same && *text) *same = fgetc(file) == (unsigned char)*text++;
     *same = *same && fgetc(file) == EOF;
-    if (!file || ferror(file)) tr_status_fail(st, TR_FILE, "error: cannot read %s: %s", path, strerror(errno));
-    if (file) fclose(file);
+    if (ferror(file)) tr_status_fail(st, TR_FILE, "error: cannot read %s: %s", path, strerror(errno));
+    fclose(file);
     return !st->code;
+}
+
+/* A file that is gone on with may have a second name, in a copy by hard links: it gets an inode of its own first. */
+static bool unshare(const char *part, tr_status *st) {
+    struct stat info;
+    char copy[TR_PATH + 8], bytes[1 << 14];
+    if (lstat(part, &info) || (S_ISREG(info.st_mode) && info.st_nlink == 1)) return true;
+    FILE *from = tr_regular_open(part, st), *to = NULL;
+    if (!from) return !st->code;
+    snprintf(copy, sizeof copy, "%s.old", part);
+    unlink(copy);
+    bool ok = (to = fopen(copy, "wbxe")) != NULL;
+    for (size_t n; ok && (n = fread(bytes, 1, sizeof bytes, from)) > 0;) ok = fwrite(bytes, 1, n, to) == n;
+    ok = ok && !ferror(from) && !fflush(to) && !fsync(fileno(to));
+    if (to) ok = !fclose(to) && ok;
+    ok = ok && !rename(copy, part);
+    if (!ok) tr_status_fail(st, TR_FILE, "error: cannot write %s: %s", copy, strerror(errno));
+    fclose(from);
+    return ok;
 }
 
 static bool open_part(tr_file *file, const char *path, const char *mode, tr_status *st) {
@@ -77,15 +97,18 @@ static bool open_part(tr_file *file, const char *path, const char *mode, tr_stat
     strcpy(file->path, path);
     if (!(file->part = tr_part_name(file->path, st))) return false;
     if (*mode == 'a' && access(file->part, F_OK)) rename(file->path, file->part);
-    file->stream = fopen(file->part, mode);
+    if (*mode != 'a' || unshare(file->part, st)) file->stream = fopen(file->part, mode);
     if (file->stream) return true;
-    tr_status_fail(st, TR_FILE, "error: cannot write %s: %s", file->part, strerror(errno));
+    if (errno == EEXIST)
+        tr_status_fail(st, TR_FILE, "error: %s is in the way; move it away", file->part);
+    else
+        tr_status_fail(st, TR_FILE, "error: cannot write %s: %s", file->part, strerror(errno));
     free(file->part);
     return false;
 }
 
 bool tr_file_open_path(tr_file *file, const char *path, tr_status *st) {
-    return open_part(file, path, "w", st);
+    return open_part(file, path, "wx", st); /* what stands under the name of the part is the user's */
 }
 
 bool tr_file_open(tr_file *file, const char *dir, const char *name, tr_status *st) {

@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "base/gather.h"
+#include "base/regular.h"
 #include "out/dir.h"
 #include <dirent.h>
 #include <errno.h>
@@ -11,6 +12,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -88,16 +90,33 @@ static void list_free(list *l) {
     *l = (list){0};
 }
 
+/* The first line, by which a list is known. */
+static const char title[] = "# files that trundle has written here, - those that it has removed again\n";
+
+/* Whether the text is a list, or what a killed run has left of its first line. */
+static bool is_list(const char *text, size_t size) {
+    size_t n = size < sizeof title - 1 ? size : sizeof title - 1;
+    return !memcmp(text, title, n);
+}
+
 static bool list_read_text(list *l, const char *path, tr_status *st) {
-    FILE *file = fopen(path, "rbe");
-    if (!file && errno == ENOENT) return true;
+    FILE *file = tr_regular_open(path, st);
+    if (!file) return !st->code;
     size_t room = 0;
-    ssize_t n = file ? getdelim(&l->text, &room, '\0', file) : -1;
-    bool ok = file && !ferror(file) && (n >= 0 || feof(file));
+    ssize_t n = getdelim(&l->text, &room, '\0', file);
+    bool ok = !ferror(file) && (n >= 0 || feof(file));
     if (!ok) tr_status_fail(st, TR_FILE, "error: cannot read %s: %s", path, strerror(errno));
-    if (file) fclose(file);
-    l->size = n > 0 ? strlen(l->text) : 0;
+    fclose(file);
+    l->size = ok && n > 0 ? strlen(l->text) : 0;
+    if (ok && l->size && !is_list(l->text, l->size))
+        ok = tr_status_fail(st, TR_FILE, "error: %s was not made by trundle; move it away, or give another -o", path);
     return ok;
+}
+
+static int find(const list *l, const char *name) {
+    for (int k = 0; k < l->n; k++)
+        if (!strcmp(l->name[k], name)) return k;
+    return -1;
 }
 
 static bool list_read(list *l, const char *dir, tr_status *st) {
@@ -108,48 +127,59 @@ static bool list_read(list *l, const char *dir, tr_status *st) {
     for (size_t i = 0; i < l->size; i++) lines += l->text[i] == '\n';
     if (!(l->name = tr_alloc((size_t)lines, sizeof *l->name, st))) return list_free(l), false;
     char *rest = l->text;
-    for (char *line; l->size && (line = strsep(&rest, "\n"));)
-        if (*line) l->name[l->n++] = line;
+    for (char *line; l->size && (line = strsep(&rest, "\n"));) {
+        bool removed = *line == '-';
+        int k = *line && *line != '#' ? find(l, line + removed) : -1;
+        if (removed && k >= 0) l->name[k] = l->name[--l->n];
+        if (*line && *line != '#' && !removed && k < 0) l->name[l->n++] = line;
+    }
     return true;
 }
 
 static bool list_has(const list *l, const char *name) {
-    for (int k = 0; k < l->n; k++)
-        if (!strcmp(l->name[k], name)) return true;
-    return false;
+    return find(l, name) >= 0;
 }
 
-/* Ends a list, and its entry in the directory, on the disk. */
-static bool sync_list(FILE *file, const char *dir) {
-    bool ok = !fflush(file) && !fsync(fileno(file));
-    int folder = ok ? open(dir, O_RDONLY | O_DIRECTORY | O_CLOEXEC) : -1;
-    ok = folder >= 0 && !fsync(folder);
+/* The list on the disk, and its entry in the directory. */
+static bool sync_list(int fd, const char *dir) {
+    int folder = fsync(fd) ? -1 : open(dir, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    bool ok = folder >= 0 && !fsync(folder);
     if (folder >= 0) close(folder);
-    return !fclose(file) && ok;
+    return ok;
 }
 
-/* Appends, so that two runs may list into one folder of a sweep. A torn line of a killed run gets its end first. */
-static bool list_append(const list *l, const char *dir, const char *names, tr_status *st) {
+/* At the end of the open list, which nobody else writes to now. What a killed run has torn gets its end first. */
+static bool append(int fd, const char *names) {
+    struct stat info;
+    char last = '\n';
+    if (flock(fd, LOCK_EX) || fstat(fd, &info) || !S_ISREG(info.st_mode)) return false;
+    bool begun = info.st_size >= (off_t)sizeof title - 1;
+    if (!begun && ftruncate(fd, 0)) return false;
+    if (begun && pread(fd, &last, 1, info.st_size - 1) != 1) return false;
+    return dprintf(fd, "%s%s%s", begun ? "" : title, last == '\n' ? "" : "\n", names) > 0;
+}
+
+/* Appends only, so that no name is ever lost. Two runs may list into one folder of a sweep. */
+static bool list_append(const char *dir, const char *names, tr_status *st) {
     char path[TR_PATH];
     if (!tr_dir_path(path, dir, TR_MADE_LIST, st)) return false;
-    FILE *file = fopen(path, "abe");
-    bool torn = l->n && l->name[l->n - 1] + strlen(l->name[l->n - 1]) == l->text + l->size;
-    bool ok = file && fprintf(file, "%s%s", torn ? "\n" : "", names) > 0;
-    if (file) ok = sync_list(file, dir) && ok;
-    return ok || tr_status_fail(st, TR_FILE, "error: cannot write %s: %s", path, strerror(errno));
+    int fd = open(path, O_RDWR | O_APPEND | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
+    bool ok = fd >= 0 && append(fd, names) && sync_list(fd, dir);
+    if (!ok) tr_status_fail(st, TR_FILE, "error: cannot write %s: %s", path, strerror(errno));
+    if (fd >= 0) close(fd);
+    return ok;
 }
 
-/* Writes the list anew, with the names that are no results: the results are gone. */
+/* The results of the list are gone. */
 static bool list_forget(const list *l, const char *dir, tr_status *st) {
-    char path[TR_PATH], part[TR_PATH];
-    if (!tr_dir_path(path, dir, TR_MADE_LIST, st) || !tr_dir_path(part, dir, TR_MADE_LIST ".part", st)) return false;
-    FILE *file = fopen(part, "wbe");
-    bool ok = file != NULL;
-    for (int k = 0; ok && k < l->n; k++)
-        if (!is_result(l->name[k])) ok = fprintf(file, "%s\n", l->name[k]) > 0;
-    if (file) ok = sync_list(file, dir) && ok;
-    ok = ok && !rename(part, path);
-    return ok || tr_status_fail(st, TR_FILE, "error: cannot write %s: %s", path, strerror(errno));
+    tr_gather names;
+    bool begun = tr_gather_begin(&names, st);
+    for (int k = 0; begun && k < l->n; k++)
+        if (is_result(l->name[k])) fprintf(names.stream, "-%s\n", l->name[k]);
+    char *text = tr_gather_end(&names, st);
+    bool ok = text && (!*text || list_append(dir, text, st));
+    free(text);
+    return ok;
 }
 
 /* ---- what stands in a directory ---- */
@@ -238,7 +268,7 @@ static bool add(const char *dir, const char *name, int frames, tr_status *st) {
         ok = want(&l, dir, frame, names.stream, st);
     }
     char *text = tr_gather_end(&names, st);
-    ok = ok && text && (!*text || list_append(&l, dir, text, st));
+    ok = ok && text && (!*text || list_append(dir, text, st));
     free(text);
     list_free(&l);
     return ok;
@@ -250,6 +280,15 @@ bool tr_made_add(const char *dir, const char *name, tr_status *st) {
 
 bool tr_made_add_frames(const char *dir, int n, tr_status *st) {
     return add(dir, NULL, n, st);
+}
+
+bool tr_made_listed(const char *dir, const char *name, bool *listed, tr_status *st) {
+    list l;
+    *listed = false;
+    if (!list_read(&l, dir, st)) return false;
+    *listed = list_has(&l, name);
+    list_free(&l);
+    return true;
 }
 
 /* ---- clearing ---- */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Which files of a directory are trundle's. DIR/trundle-files.txt lists them, one name a line. A name is on the list,
- * and the list on the disk, before its file exists. So a file that is not listed is the user's: it is never removed
- * or written over.
+/* Which files of a directory are trundle's. DIR/trundle-files.txt lists them, one name a line; a later line -NAME takes
+ * a name off. The list is only appended to, and known by its first line. A name is on the list, and the list on the
+ * disk, before its file exists. So a file that is not listed is the user's: it is never removed or written over.
  *
  * Results have fixed names (history.csv, frames/00012.png, paths/17-42.csv, ...), see made.c. A listed name stands
  * for NAME.part and NAME.old too. Only names of results are ever removed, whatever the list says. */
@@ -18,6 +18,9 @@ bool tr_made_add(const char *dir, const char *name, tr_status *st);
 
 /* The same for frames/00000.png to frames/<n-1>.png at once. */
 bool tr_made_add_frames(const char *dir, int n, tr_status *st);
+
+/* Whether a file of that name is on the list. */
+bool tr_made_listed(const char *dir, const char *name, bool *listed, tr_status *st);
 
 /* Removes the results of an old run, to make room for a new one. TR_FILE, and nothing is touched: there is a finished
  * run and not `force`; or a file has the name of a result and is not listed (with `force` such files may stay in

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "out/summary.h"
 
+#include "base/regular.h"
 #include <errno.h>
 #include <jansson.h>
 #include <math.h>
@@ -28,13 +29,13 @@ static const json_t *find(const json_t *at, const char *name) {
 
 /* NULL: it is not there, or is not whole. With TR_FILE: there is no telling, it cannot be read. */
 static json_t *load(const char *path, tr_status *st) {
-    FILE *file = fopen(path, "rbe");
-    if (!file && errno == ENOENT) return NULL;
-    json_t *o = NULL;
-    if (file) errno = 0, o = json_loadf(file, 0, NULL);
-    if (!file || ferror(file) || errno == ENOMEM)
+    FILE *file = tr_regular_open(path, st);
+    if (!file) return NULL;
+    errno = 0;
+    json_t *o = json_loadf(file, 0, NULL);
+    if (ferror(file) || errno == ENOMEM)
         tr_status_fail(st, TR_FILE, "error: cannot read %.300s: %s", path, strerror(errno));
-    if (file) fclose(file);
+    fclose(file);
     if (st->code) json_decref(o), o = NULL;
     return o;
 }

@@ -78,8 +78,12 @@ static bool is_part(const tr_packing *p) {
 
 /* Who holds the lock on the part makes the packing. The lock ends with the process, whatever ended it. */
 static bool wait_for_part(tr_packing *p, const char *path, const tr_run_options *options, tr_status *st) {
-    p->lock = open(p->part, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    p->lock = open(p->part, O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
     if (p->lock < 0) return tr_status_fail(st, TR_FILE, "error: cannot write %s: %s", p->part, strerror(errno));
+    if (!tr_checkpoint_is_one(p->lock)) {
+        close(p->lock), p->lock = -1; /* it is not ours to remove */
+        return tr_status_fail(st, TR_FILE, "error: %s is in the way; move it away", p->part);
+    }
     while (flock(p->lock, LOCK_EX | LOCK_NB) && errno == EWOULDBLOCK) {
         if (options->stop && *options->stop)
             return close(p->lock), p->lock = -1, tr_status_fail(st, TR_INTERRUPTED, "stopped while another run makes %s", path);

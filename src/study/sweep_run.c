@@ -59,7 +59,8 @@ static void show(const runner *r, const char *stage, int done, int of) {
 
 /* In the child: only calls that are safe between fork and exec. */
 static void become(char *const *arguments, const char *log, pid_t parent) {
-    int file = open(log, O_WRONLY | O_CREAT | O_TRUNC, 0666), null = open("/dev/null", O_RDWR);
+    unlink(log); /* it may be a link, which is not written through */
+    int file = open(log, O_WRONLY | O_CREAT | O_EXCL, 0666), null = open("/dev/null", O_RDWR);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() == parent && file >= 0 && dup2(null, 0) >= 0 && dup2(null, 1) >= 0 && dup2(file, 2) >= 0)
         execv("/proc/self/exe", arguments);

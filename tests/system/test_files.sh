@@ -61,6 +61,10 @@ measures() { ! "$TRUNDLE" measures card.csv -o "$1" >stdout 2>stderr; }
 check 'a table that is read' measures ./card.csv
 check 'is as it was' cmp card.before card.csv
 check 'both names' says stderr './card.csv would be written over card.csv'
+measures_part_is_kept() {
+    "$TRUNDLE" measures wanted.csv.part -o wanted.csv >stdout 2>stderr
+    [ $? -eq 3 ] && cmp first.csv wanted.csv.part && says stderr 'wanted.csv.part is in the way'
+}
 bench() { ! "$TRUNDLE" bench --sizes 100 small.yaml -o small.yaml >stdout 2>stderr; }
 cp small.yaml small.before
 check 'a case of bench' bench
@@ -99,7 +103,50 @@ check 'is not taken for one' keeps once/frames refuses bodies.yaml -o once --for
 check 'a list cut short in a name' run_gives 0 bodies.yaml -o torn
 printf 'contac' >>torn/trundle-files.txt
 check 'is gone on with' run_gives 0 bodies.yaml -o torn --force
-check 'a name a line' is_silent grep -v -x -E 'contac|[a-z./0-9]+\.(csv|yaml|json)' torn/trundle-files.txt
+check 'a name a line' is_silent grep -v -x -E '#.*|contac|-?[a-z./0-9]+\.(csv|yaml|json)' torn/trundle-files.txt
+
+# ---- the list itself ----
+mkdir listy && cp bodies.yaml listy/trundle-files.txt
+check 'a case that is called like the list' keeps listy refuses listy/trundle-files.txt -o listy --force
+check 'is told' says stderr 'listy/trundle-files.txt was not made by trundle'
+mkdir linked && echo mine >outside.txt && ln -s ../outside.txt linked/trundle-files.txt
+check 'a list that is a symbolic link' refuses bodies.yaml -o linked
+check 'is not written through' equals "$(cat outside.txt)" mine
+mkdir listed_link && cp listed/trundle-files.txt elsewhere.txt && ln -s ../elsewhere.txt listed_link/trundle-files.txt
+check 'not even to a true list' refuses bodies.yaml -o listed_link
+check 'which is as it was' cmp listed/trundle-files.txt elsewhere.txt
+if command -v mkfifo >/dev/null; then
+    mkdir pipes && mkfifo pipes/trundle-files.txt
+    waits_not() { timeout 20 "$TRUNDLE" run "$@" >stdout 2>stderr; [ $? -eq 3 ]; }
+    check 'a pipe in its place does not wait' waits_not bodies.yaml -o pipes
+    cp -r once piped && rm piped/summary.json && mkfifo piped/summary.json
+    check 'nor in the place of a result' waits_not bodies.yaml -o piped --resume
+    mkfifo sample.fifo
+    check 'nor of a sample' waits_not small.yaml -o four --sample sample.fifo
+fi
+
+# ---- names of parts ----
+"$TRUNDLE" measures -o first.csv >/dev/null 2>&1
+cp first.csv wanted.csv.part
+check 'an input that has the name of the part' measures_part_is_kept
+echo mine >sm.bin.part
+check 'a file in the way of the part of a sample' refuses small.yaml -o five --sample sm.bin
+check 'is kept' equals "$(cat sm.bin.part)" mine
+
+# ---- --resume ----
+run contact.yaml --set path=table.csv -o done
+echo mine >done/checkpoint.bin && echo mine >done/checkpoint.bin.part
+check '--resume of a finished run' keeps done run_gives 0 contact.yaml --set path=table.csv -o done --resume
+"$TRUNDLE" run small.yaml -o hard --checkpoint 0 --set shear.inertial_number=5e-4 >/dev/null 2>&1 &
+child=$!
+for _ in $(seq 200); do [ -s hard/checkpoint.bin ] && [ -s hard/history.csv.part ] && break; sleep 0.02; done
+kill -INT $child
+wait $child 2>/dev/null
+cp -al hard backup
+kept_by_links() { (cd backup && find . -type f ! -name trundle-files.txt -exec cksum {} + | sort); }
+before=$(kept_by_links)
+check 'a run that was copied by hard links is gone on with' run_gives 0 small.yaml -o hard --resume --set shear.inertial_number=5e-4
+check 'the copy is as it was' equals "$(kept_by_links)" "$before"
 
 # ---- a name is on the list before its file exists ----
 is_listed() { listing "$1" | grep -v -x -F -f "$1/trundle-files.txt"; }

@@ -29,6 +29,7 @@ same() { # DIR REFERENCE: the same files with the same bytes, and no other
         rm -rf "$dir.bytes"
         cp -r "$dir" "$dir.bytes"
         sed -i '/"timing"/,/}/d' "$dir.bytes/summary.json"
+        rm "$dir.bytes/trundle-files.txt" # which tells of removed files too
     done
     diff -r "$1.bytes" "$2.bytes"
 }
