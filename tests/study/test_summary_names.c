@@ -29,8 +29,8 @@ static void names_are_known_before(void **state) {
         "kind: contact\nbodies: {R1: 10 mm, R2: 10 mm, E: 70 GPa, nu: 0.3}\noutput: {curves: no}\n"
         "laws: [{friction: cattaneo-mindlin, mu: 0.3}, {rolling: wang-spring, mu_r: 0.1, k_r: 1 GPa}]\n"
         "path: [{force: 1 kN/m, slide: 1 um, steps: 3}]\n",
-        "kind: patch\nbodies: {R1: 10 mm, R2: 10 mm, E: 70 GPa, nu: 0.3}\nmu: 0.3\nelements: 16\n"
-        "output: {frames: 0, curves: no}\npath: [{force: 1 kN/m, slide: 1 um, steps: 3}]\n",
+        ("kind: patch\nbodies: {R1: 10 mm, R2: 10 mm, E: 70 GPa, nu: 0.3}\nmu: 0.3\nelements: 16\n"
+         "output: {frames: 0, curves: no}\npath: [{force: 1 kN/m, slide: 1 um, steps: 3}]\n"),
     };
     for (size_t i = 0; i < sizeof base / sizeof *base; i++) {
         tr_scene scene;
