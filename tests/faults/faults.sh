@@ -174,7 +174,9 @@ bad() {
 plain() {
     case $1 in
     */summary.json) sed '/"timing"/,/}/d' "$1" ;;
-    */trundle-files.txt) sort "$1" ;;
+    */trundle-files.txt) # what is listed in the end
+        awk '/^-/ { delete listed[substr($0, 2)]; next } !/^#/ && NF { listed[$0] = 1 }
+             END { for (name in listed) print name }' "$1" | sort ;;
     *.png) head -c 33 "$1" ;; # ISA-L now and then takes another match of the same length; the film has the pixels
     */stdout) sed '/^wall time/d' "$1" ;;
     */sizes.csv) sed 's/,.*//' "$1" ;;
