@@ -33,7 +33,7 @@ frames|memory|run frames.yaml -o out
 replaced|both|run biaxial.yaml -o out --force
 sampling|both|run biaxial.yaml -o out --sample sample.bin
 sampled|memory|run biaxial.yaml -o out --sample packing.bin
-periodic|memory|run biaxial.yaml -o out --set boundary=periodic --set sample.disks=16
+periodic|memory|run biaxial.yaml -o out --set boundary=periodic --set sample.disks=16 --set shear.strain_end=0.008
 bodies|both|run bodies.yaml -o out
 lanes|memory|run lanes.yaml -o out
 contact|both|run contact.yaml -o out

@@ -14,6 +14,7 @@ while read -r line; do
     case $line in
     *', 0 wrong') check "$line" true ;;
     *wrong) check "$line" grep -A 8 "^not ok" "$work/faults" ;;
+    'not ok '*': without a fault:') check "$line" false ;;
     skipped:*) skip "${line#skipped: }" 'no tracing here' ;;
     esac
 done <"$work/faults"
