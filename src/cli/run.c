@@ -30,9 +30,8 @@ static const struct argp_option options[] = {
     {"seed", SEED, "S", 0, "short for --set seed=S", 0},
     {"frames", FRAMES, "N", 0, "short for --set output.frames=N", 0},
     {"resume", RESUME, NULL, 0,
-     "go on with what was stopped in that directory, to the same bytes; a finished run is left as it is (kinds but "
-     "biaxial, "
-     "and what has no checkpoint yet, start afresh)",
+     "go on with what was stopped in that directory, to the same bytes; a finished run is left as it is. Without a "
+     "checkpoint a run starts over; only biaxial tests have one",
      0},
     {"checkpoint", CHECKPOINT, "SECONDS", 0, "time between two checkpoints of a biaxial test (default: 60)", 0},
     {"sample", SAMPLE, "FILE", 0,
