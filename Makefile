@@ -161,7 +161,7 @@ install: all
 lint: packages-lint
 	clang-tidy --quiet $(LIB_SRC) $(CLI_SRC) -- -D_GNU_SOURCE -Isrc $(shell pkg-config --cflags $(PKGS) 2>/dev/null)
 	cppcheck --quiet --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
-	    --suppress=missingIncludeSystem -D_GNU_SOURCE -Isrc src
+	    --suppress=missingIncludeSystem -D_GNU_SOURCE -DTR_LINT -Isrc src
 
 format:
 	clang-format -i $(wildcard src/*/*.[ch] src/*/*.cpp tests/*.h tests/*/*.[ch])

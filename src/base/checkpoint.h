@@ -39,8 +39,12 @@ void tr_checkpoint_field(tr_checkpoint *c, tr_checkpoint_kind kind, const char *
 #define TR_KEEP(c, data, count) TR_KEEP_AS(c, TR_CHECKPOINT_KIND(data), data, count)
 #define TR_KEEP_NUMBERS(c, data, count) TR_KEEP_AS(c, TR_KEPT_NUMBERS, data, count) /* structs of doubles */
 #define TR_KEEP_AS(c, kind, data, count) tr_checkpoint_field(c, kind, #data, data, sizeof *(data), (size_t)(count))
+#ifdef TR_LINT /* cppcheck 2.10 crashes on many _Generic in a function */
+#define TR_CHECKPOINT_KIND(data) TR_KEPT_BYTES
+#else
 #define TR_CHECKPOINT_KIND(data)                                                                                       \
     _Generic((data), double *: TR_KEPT_NUMBERS, int64_t *: TR_KEPT_COUNTS, bool *: TR_KEPT_FLAGS, default: TR_KEPT_BYTES)
+#endif
 
 /* How many things of `size` bytes follow. Loading fails where the rest of the file cannot hold them. */
 void tr_checkpoint_count(tr_checkpoint *c, const char *name, int *n, size_t size);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "patch/cut.h"
 
+#include <stdint.h>
 #include <string.h>
 
 /* Rounding of a length that is to be a whole number of elements makes no piece more. */
@@ -78,8 +79,8 @@ static bool go(walk *w, tr_status *st) {
     const tr_patch_step *t = w->step;
     const double P = w->s->P, Q = w->s->Q, a = w->s->a, to = tr_patch_a(w->pair, t->P), n = stairs_of(w, a, Q);
     double before = 0;
-    for (double k = 1; k < n; k++) { /* of equal changes of a: P goes by its square */
-        double part = k / n * ((a + k / n * (to - a)) + a) / (to + a);
+    for (int64_t k = 1; (double)k < n; k++) { /* of equal changes of a: P goes by its square */
+        double share = (double)k / n, part = share * ((a + share * (to - a)) + a) / (to + a);
         tr_patch_step stair = *t;
         stair.P = P + part * (t->P - P), stair.Q = Q + part * (t->Q - Q);
         stair.dr = (part - before) * t->dr, stair.du = (part - before) * t->du;

@@ -182,7 +182,7 @@ static bool drag(tr_biaxial *b, double *off, double *left, double *want, tr_stat
 
 bool tr_exact_drag(tr_verify *v, tr_status *st) {
     static const char text[] = SAMPLE_TEXT "lateral}\n", reason[] = "rounding of 20 steps";
-    double off, left, want;
+    double off = 0, left = 0, want = 0;
     tr_scene scene;
     tr_biaxial b;
     if (!tr_scene_read(&scene, "drag", text, strlen(text), NULL, 0, tr_laws_catalog(), st)) return false;
@@ -218,7 +218,7 @@ bool tr_exact_hold(tr_verify *v, tr_status *st) {
                              *const quantity[] = {"hold: lateral, lateral stress", "hold: mean, mean stress"};
     bool ok = true;
     for (int k = 0; k < 2 && ok; k++) {
-        double stress[2];
+        double stress[2] = {0};
         tr_scene scene;
         tr_biaxial b;
         if (!tr_scene_read(&scene, "hold", text[k], strlen(text[k]), NULL, 0, tr_laws_catalog(), st)) return false;

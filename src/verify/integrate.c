@@ -38,9 +38,11 @@ static bool velocity_verlet(tr_world *world, int64_t n, tr_status *st) {
 static bool predicted(tr_world *world, int64_t n, tr_status *st) {
     const tr_disks *d = &world->disks;
     size_t lanes = 4 * (size_t)d->n, bytes = lanes * sizeof(double);
-    double *half = tr_alloc(2 * lanes, sizeof *half, st), *before = half + lanes;
-    bool ok = half;
-    if (ok) memcpy(before, d->force, bytes);
+    double *half = tr_alloc(2 * lanes, sizeof *half, st);
+    if (!half) return false;
+    double *before = half + lanes;
+    memcpy(before, d->force, bytes);
+    bool ok = true;
     for (int64_t i = 0; i <= n && ok; i++) {
         memcpy(half, d->vel, bytes);
         for (size_t k = 0; k < lanes; k++) d->vel[k] += 0.5 * world->dt * d->inv[k] * before[k];
