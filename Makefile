@@ -18,6 +18,9 @@ CXX_FLAGS := -std=c++17 $(FLAGS) $(CFLAGS)
 # libcsv has no pkg-config file.
 LIBS  := $(shell pkg-config --libs $(PKGS) 2>/dev/null) -lcsv -lm -pthread
 
+# The commit that summary.json names. The directory is named to git, so that the repository around a tarball is not taken for this one.
+COMMIT := $(shell git --git-dir=.git describe --always --dirty --abbrev=12 --exclude='*' 2>/dev/null || echo unknown)
+
 LIB_SRC  := $(filter-out src/cli/%,$(wildcard src/*/*.c)) $(wildcard src/*/*.cpp)
 CLI_SRC  := $(wildcard src/cli/*.c)
 TEST_SRC := $(wildcard tests/*/test_*.c)
@@ -218,6 +221,16 @@ $(BUILD)/%.c.o: %.c
 $(BUILD)/%.cpp.o: %.cpp
 	@mkdir -p $(@D)
 	$(CXX) $(CXX_FLAGS) -c -o $@ $<
+# Another commit, and this one object is made anew.
+$(BUILD)/src/base/commit.c.o: $(BUILD)/commit
+$(BUILD)/src/base/commit.c.o: C_FLAGS += -DTR_COMMIT='"$(COMMIT)"'
+$(BUILD)/commit:
+	@mkdir -p $(@D)
+	@echo $(COMMIT) >$@
+ifneq ($(COMMIT),$(file <$(BUILD)/commit))
+.PHONY: $(BUILD)/commit
+endif
+
 $(BUILD)/tests/%: $(BUILD)/tests/%.c.o $(BUILD)/libtrundle.a
 	$(CXX) $(CFLAGS) $(OPENMP) $(LDFLAGS) -o $@ $^ $(LIBS) -lcmocka
 

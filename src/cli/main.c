@@ -47,7 +47,7 @@ static void open_standard_streams(void) {
 static int run(int argc, char **argv) {
     const char *word = argc > 1 ? argv[1] : "";
     if (!strcmp(word, "--help") || !strcmp(word, "-h") || !strcmp(word, "help")) return usage(stdout, TR_OK);
-    if (!strcmp(word, "--version")) return printf("trundle %s\n", TR_VERSION), TR_OK;
+    if (!strcmp(word, "--version")) return printf("trundle %s, commit %s\n", TR_VERSION, tr_commit), TR_OK;
     for (int k = 0; k < N_COMMANDS; k++)
         if (!strcmp(word, commands[k].name)) return commands[k].run(argc - 1, argv + 1);
     if (*word) fprintf(stderr, "error: no command \"%s\"\n\n", word);

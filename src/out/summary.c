@@ -39,6 +39,7 @@ static json_t *begin(const tr_scene *scene, const char *kind) {
     errno = 0;
     json_t *o = json_object();
     json_object_set_new(o, "version", json_string(TR_VERSION));
+    json_object_set_new(o, "commit", json_string(tr_commit));
     json_object_set_new(o, "kind", json_string(kind));
     const tr_scene_lesson *l = &scene->lesson;
     const char *const text[][2] = {{"title", l->title},
