@@ -41,9 +41,9 @@ biaxial: packages-build
 	@echo "frames: out/biaxial/frames/*.png"
 	@echo "video:  out/biaxial/biaxial.mp4 (needs ffmpeg)"
 
+# Half a minute. Studies that take longer are made by their own names alone: wang, bands, kuhn, replay, verify.
 figures: packages-build
 	@$(MAKE) --no-print-directory build-all $(patsubst figures/%.sh,out/figures/%.png,$(wildcard figures/*.sh))
-	@$(MAKE) --no-print-directory wang bands
 
 # Wang's Figs. 5 and 6 with a verdict on each claim. Goes on with what is there; SEEDS=4 is quick.
 SEEDS ?= 32
@@ -51,8 +51,8 @@ wang: packages-build
 	@$(MAKE) --no-print-directory build-all
 	figures/wang/wang.sh ./trundle out/wang $(SEEDS)
 
-# Kuhn's assemblies with a verdict on each trend. Goes on with what is there; DISKS=400 is quicker than 4096, as Kuhn had. Not among the figures: it
-# takes one to two hours.
+# Kuhn's assemblies with a verdict on each trend. Goes on with what is there; DISKS=400 is quicker than 4096, as Kuhn had. One to two
+# hours.
 DISKS ?= 4096
 kuhn: packages-build
 	@$(MAKE) --no-print-directory build-all
@@ -178,9 +178,9 @@ help:
 	@echo 'make test-slurm  a sweep as a job array on a Slurm of one node that the test brings up; root'
 	@echo 'make faults    in runs of every kind each allocation and each call to the system fails in turn; some seven hours on two cores, STRIDE=10 for a tenth'
 	@echo 'make random    N=200 random scenes of all laws and kinds, with threads and stops; a minute. What goes wrong stays in out/random/; SEED=2 for others'
-	@echo 'make figures   build, and draw figures/*.gp with their data into out/figures/ (needs gnuplot); then make wang and make bands'
+	@echo 'make figures   build, and draw figures/*.gp with their data into out/figures/ (needs gnuplot); half a minute'
 	@echo 'make features  build, measure what each feature and each law costs, and draw it: out/figures/features.png'
-	@echo 'make wang      build, sweep the biaxial test as Wang did, and judge each claim: out/wang/; SEEDS=3 for a minute of it'
+	@echo 'make wang      build, sweep the biaxial test as Wang did, and judge each claim: out/wang/; 20 minutes, SEEDS=3 for a minute of it'
 	@echo 'make kuhn      build, shear assemblies with small and large contacts, with and without creep, and judge what Kuhn saw: out/kuhn-4096/; hours, DISKS=400 is quicker'
 	@echo 'make kuhn-film film and still of how contacts of those assemblies use friction, roll and creep: out/kuhn-film/; minutes'
 	@echo 'make bands     build, shear 10,000 disks without and with rolling resistance, and draw where they turn; minutes'

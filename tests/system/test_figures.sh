@@ -13,6 +13,18 @@ for script in figures/*.sh; do
     check "$figure: has a script that draws it" test -s "figures/$figure.gp"
 done
 
+# What make figures would run: a long study among it takes minutes to hours. Each is a target of its own.
+long='figures/(wang|bands|kuhn|replay)/|trundle (bench|verify|sweep)'
+would() { MAKEFLAGS='' MAKELEVEL='' make -n "$@" 2>&1; }
+figures_alone() {
+    would figures | grep -q 'definitions.sh' || { echo 'no figures'; return 1; }
+    is_silent sh -c 'echo "$1" | grep -E "$2"' sh "$(would figures)" "$long"
+}
+check 'make figures runs no long study' figures_alone
+for study in wang bands kuhn kuhn-film replay; do
+    check "make $study runs its own" sh -c 'echo "$1" | grep -qE "$2"' sh "$(would $study)" "$long"
+done
+
 # closed_forms FILE ROWS AWK [TOLERANCE]: the program gives `is` and `want` of a row, which agree to 1e-9 (10 digits are
 # printed) or that tolerance in all of that many rows
 closed_forms() {
