@@ -28,7 +28,7 @@ LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o)
 CLI_OBJ  := $(CLI_SRC:%=$(BUILD)/%.o)
 TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all biaxial figures wang kuhn kuhn-film bands replay features bench bench-peers demos gallery verify test mutate faults random test-slurm install asan tsan fuzz lint format clean help packages-% build-all build-faults build-random run-demos run-tests
+.PHONY: all biaxial definitions figures wang kuhn kuhn-film bands replay features bench bench-peers demos gallery verify test mutate faults random test-slurm install asan tsan fuzz lint format clean help packages-% build-all build-faults build-random run-demos run-tests
 .SECONDARY:
 
 all: packages-build
@@ -40,6 +40,12 @@ biaxial: packages-build
 	@echo "curve:  out/biaxial/biaxial.svg and .png (needs gnuplot), numbers in out/biaxial/history.csv"
 	@echo "frames: out/biaxial/frames/*.png"
 	@echo "video:  out/biaxial/biaxial.mp4 (needs ffmpeg)"
+
+# Ten seconds. Runs of the assembly that are there are not run again.
+definitions: packages-build
+	@$(MAKE) --no-print-directory build-all
+	figures/definitions/definitions.sh ./trundle out/definitions
+	@echo "page: out/definitions/index.html (pictures need gnuplot), tables: out/definitions/*.csv"
 
 # Half a minute. Studies that take longer are made by their own names alone: wang, bands, kuhn, replay, verify.
 figures: packages-build
@@ -174,6 +180,7 @@ clean:
 
 help:
 	@echo 'make biaxial   install what is missing, build, run the biaxial test of cases/biaxial.yaml'
+	@echo 'make definitions  build, and compare the definitions of rolling: motions, energy, one contact, an assembly; page in out/definitions/index.html; seconds'
 	@echo 'make test      install what is missing, build, run all tests; last line: N passed, N failed'
 	@echo 'make test-slurm  a sweep as a job array on a Slurm of one node that the test brings up; root'
 	@echo 'make faults    in runs of every kind each allocation and each call to the system fails in turn; some seven hours on two cores, STRIDE=10 for a tenth'

@@ -7,7 +7,8 @@
 # tordesillas is an angle: times half the smaller radius, which for equal disks is R1R2/(R1+R2).
 # Cycles: see definitions.yaml. Work of the contact on the disks, by the trapezoidal rule (exact for springs), of
 #   dW = M1 dth1 + M2 dth2 - f_r dslide,   dth1 = (dslide/2 - droll)/R1,   dth2 = (dslide/2 + droll)/R2
-# divided by k_r R_eff du dth1 where disk 2 slides and disk 1 spins, by k_r R1 dth1 du_roll where disk 1 spins and both
+# and with conjugate moments on the same T = -M1/R_eff of -T (A dth1 + B dth2), where V_r = A w1 + B w2 + C Vt (README.md, question 2).
+# Divided by k_r R_eff du dth1 where disk 2 slides and disk 1 spins, by k_r R1 dth1 du_roll where disk 1 spins and both
 # roll.
 set -eu
 export LC_ALL=C
@@ -49,17 +50,26 @@ echo 'motion,definition,R2_over_R1,value'
         function say(name, v) {printf "%s,%s,%.10g,%.10g\n", $1, name, R2/R1, v/1e-3}' "$work/measures.csv"
     awk -F, '
         BEGIN {split("wang,bagi-kuhn,alonso-min,alonso-mean,bagi-kuhn-conjugate", name, ","); R1 = 0.01; k_r = 1e6; u = 1e-6}
-        $3 == 1 {slide[$2] = roll[$2] = M1[$2] = M2[$2] = f[$2] = 0}
+        $3 == 1 {slide[$2] = roll[$2] = M1[$2] = M2[$2] = f[$2] = 0; R_eff = R1*$1/(1 + $1)}
         {
             i = $2; R2 = $1*R1; dslide = $5 - slide[i]; droll = $6 - roll[i]
             dth1 = (dslide/2 - droll)/R1; dth2 = (dslide/2 + droll)/R2
             work[i] += (M1[i] + $11)/2*dth1 + (M2[i] + $12)/2*dth2 - (f[i] + $13)/2*dslide
+            conjugate[i] += (M1[i] + $11)/(2*R_eff)*rolled(name[i + 1], R1*dth1, -R2*dth2)
             slide[i] = $5; roll[i] = $6; M1[i] = $11; M2[i] = $12; f[i] = $13
         }
         $3 == 16 {say("slide and spin", R2/(R1 + R2))} # R_eff/R1
         $3 == 32 {say("spin and roll", 1)}
         function say(motion, lever) {
             printf "%s,%s,%.10g,%.10g\n", motion, name[i + 1], $1, work[i]/(k_r*u*u*lever)
-            work[i] = 0
+            if (i < 4) printf "%s conjugate,%s,%.10g,%.10g\n", motion, name[i + 1], $1, conjugate[i]/(k_r*u*u*lever)
+            work[i] = conjugate[i] = 0
+        }
+        # A dth1 + B dth2 of a step, from the arcs over both rims; below 1e-13 m they are rounding, a step is 2.5e-7 m
+        function rolled(of, s1, s2) {
+            if (of == "wang") return (R2*s1 + R1*s2)/(R1 + R2)
+            if (of == "bagi-kuhn") return (s1 + s2)/2
+            if (s1*s2 < 1e-26) return 0
+            return of == "alonso-mean" ? (s1 + s2)/2 : s1*s1 < s2*s2 ? s1 : s2
         }' "$work/cycles.csv"
 } | sort -t, -k1,1 -k2,2 -k3,3g

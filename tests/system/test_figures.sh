@@ -42,6 +42,8 @@ check 'slide and spin: energy of the mean flow alone' closed_forms definitions 1
     if (m == \"slide and spin\") want = d == \"bagi-kuhn\" ? -mean : 0"
 check 'spin and roll: energy of model 2 also' closed_forms definitions 105 "$definition
     if (m == \"spin and roll\") want = d == \"bagi-kuhn\" ? -mean : d ~ /alonso/ ? r/(1 + r) : 0"
+check 'conjugate moments make none' closed_forms definitions 168 "$definition
+    if (m ~ /conjugate\$/) want = 0"
 # Bounds: mu_r P R/2 for equal disks, mu_r P R of the law that takes the arm.
 check 'rolling laws: at the bound at the end of each way forward' closed_forms rolling-laws 20 'is = -$5
     if ($2 !~ /dashpot/ && $3 > 0.0999999) want = ($2 ~ /prop/ ? 0.001 : 0.0005)*$4'
