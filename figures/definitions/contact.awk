@@ -32,7 +32,7 @@ function coefficients(of) {
     A = B = 0
     if (of == "wang") { A = R_eff; B = -R_eff }
     else if (of == "bagi-kuhn" || (of == "alonso-mean" && s1*s2 > 0)) { A = R1/2; B = -R2/2 }
-    else if (of == "alonso-min" && s1*s2 > 0) { if (s1*s1 < s2*s2) A = R1; else B = -R2 }
+    else if (of == "alonso-min" && s1*s2 > 0) { if (s1*s1 < s2*s2*(1 - 1e-9)) A = R1; else B = -R2 } # equal: disk 2
 }
 function number(x) { x = x*x < 1e-18 ? 0 : sprintf("%.3g", x); sub(/^-/, "−", x); return x }
 END {

@@ -40,7 +40,7 @@ cat <<HTML
 $(cat "$here/../gallery/page.css")
 section { margin-bottom: 3rem; }
 td, th { text-align: left; }
-thead th { white-space: normal; vertical-align: bottom; }
+thead th { min-width: 6rem; white-space: normal; vertical-align: bottom; }
 </style>
 </head>
 <body>
@@ -76,7 +76,7 @@ Even so, alonso is not the rate of a length: after other closed cycles its sprin
 <h2>3. One contact</h2>
 <p>Disks of 5 and 10 mm, normal force 1 kN/m, bound of T 10 N/m. Each spring follows its own definition along one path: slide without relative spin,
 roll like gears, spin disk 1 alone, roll back to the bound, slide and roll. “By hand” is the same spring, clamped, worked out from the path.
-Where alonso sees no rolling its conjugate moments vanish, though its spring is stretched: they jump.</p>
+Where alonso sees no rolling its conjugate moments vanish, though its spring is stretched: they jump. Where both rims run equally fast those of alonso-min could be on either disk; here they are on disk 2.</p>
 $(picture contact.png 'Force of the rolling spring and moments on disk 1 by each definition along the path')
 $(table contact.csv 'At the end of each part of the path')
 </section>

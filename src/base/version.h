@@ -4,7 +4,7 @@
 
 #define TR_VERSION "0.2.0"
 
-/* The commit that this was built from, as git describes it, with -dirty where files differed from it; "unknown" without git. */
+/* The commit that this was built from; with -dirty where files differed from it; "unknown" without git. */
 extern const char tr_commit[];
 
 #endif
