@@ -9,7 +9,7 @@ q(panel, i) = strcol(1) eq panel && strcol(2) eq ratio[i] ? column(5) : NaN
 set multiplot layout 2,1 margins 0.095,0.985,0.225,0.985 spacing 0.125
 set grid linecolor '#d0d0d0'
 set yrange [0:1.05]
-set ylabel '|Q| / μP' offset 1
+set ylabel 'Q / μP' offset 1
 unset key
 
 set label 1 'a' at graph 0.97,0.12 font ',28'

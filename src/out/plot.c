@@ -69,7 +69,7 @@ static const char contact_script[] =
     "    set xlabel 'step of the path'\n"
     "    set ylabel 'Q/(μP), its bound is ±1'\n"
     "    set yrange [-1.05:1.05]\n"
-    "    plot for [i = 1:laws] 'contact.csv' skip 1 every laws::i - 1 using 2:($7 < 0 ? -$8 : $8) with lines \\\n"
+    "    plot for [i = 1:laws] 'contact.csv' skip 1 every laws::i - 1 using 2:8 with lines \\\n"
     "        linewidth 2.5 linecolor rgb colors[1 + (i - 1)%7] dashtype 1 + (i - 1)/7\n"
     "    set yrange [*:*]\n"
     "    set xlabel 'rolling u_{roll} (µm)'\n"

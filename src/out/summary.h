@@ -32,7 +32,7 @@ typedef struct tr_strength {
 /* What a law did on the path of a contact. */
 typedef struct tr_path_result {
     const char *friction, *rolling, *rolling_velocity; /* rolling_velocity NULL: the law does not use it */
-    double Q_end, q_end, Q_max;                        /* friction at the end, over its bound, greatest size [N/m] */
+    double Q_end, q_end, Q_max;                        /* friction at the end, Q/(mu P) with its sign, greatest size [N/m] */
     double moment_1_end, moment_2_end, moment_max;     /* rolling moments [N] */
     int64_t merged; /* what did not fit into the friction law's history; see tr_law */
 } tr_path_result;

@@ -167,7 +167,7 @@ static void read_line(const line *l, tr_contact_state *s) {
     if (l->friction->step) l->friction->state(&l->tile, &l->friction_data, energy, bound);
     if (l->exact) bound[0] = l->mu * l->P;
     s->Q = l->tile.f_t[0] + 0.0; /* a zero has no sign in a table */
-    s->q = bound[0] > 0 ? fabs(s->Q) / bound[0] : 0;
+    s->q = bound[0] > 0 ? s->Q / bound[0] : 0;
     s->moment_1 = l->tile.m1[0] + 0.0, s->moment_2 = l->tile.m2[0] + 0.0;
     s->f_r = l->tile.f_r[0] + 0.0;
     s->merged = l->friction->merged ? (int64_t)l->hist[0][l->friction->merged - 1] : 0;

@@ -29,7 +29,7 @@ typedef struct tr_contact_state {
     double overlap;                 /* [m] */
     double a;                       /* half-width of the contact by Hertz, from P and the item's E_star [m] */
     double Q;                       /* friction on body 1 along t, on body 2 the opposite [N/m] */
-    double q;                       /* |Q| over its bound mu P; 0 where that is 0 */
+    double q;                       /* Q/(mu P), -1 to 1, of the sign of Q; 0 where mu P is 0 */
     double moment_1, moment_2, f_r; /* of the rolling law: on the bodies [N]; its force along t, like Q [N/m] */
     int64_t merged;                 /* by a friction law whose history is full, see tr_law */
 } tr_contact_state;

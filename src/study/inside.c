@@ -154,7 +154,7 @@ bool tr_inside_step(tr_inside *o, tr_contact_state *state, tr_status *st) {
                                 .overlap = 2 * step.P / (M_PI * c->E_star) * (Lambda + 0.5),
                                 .a = tr_patch_a(c, step.P),
                                 .Q = s->Q + 0.0,
-                                .q = bound > 0 ? fmin(fabs(s->Q) / bound, 1) : 0};
+                                .q = bound > 0 ? fmin(fmax(s->Q / bound, -1), 1) + 0.0 : 0};
     if (!isfinite(state->Q) || !isfinite(state->u_slide)) {
         tr_status_fail(st, TR_NUMERICAL, "error: a force or displacement is not finite");
         return tell_where(o, st);

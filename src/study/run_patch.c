@@ -69,7 +69,7 @@ static bool draw(show *s, const tr_contact_state *now, tr_status *st) {
                                   {"rolled so far", text[5]}};
     say(text[0], sizeof text[0], "%.4g kN/m", now->P / 1e3);
     say(text[1], sizeof text[1], "%.4g kN/m", now->Q / 1e3);
-    say(text[2], sizeof text[2], "%.3f", now->Q < 0 ? -now->q : now->q);
+    say(text[2], sizeof text[2], "%.3f", now->q);
     say(text[3], sizeof text[3], "%.4g µm", 1e6 * now->a);
     say(text[4], sizeof text[4], "%.4g µm", 1e6 * now->u_slide);
     say(text[5], sizeof text[5], "%.3g a", now->a > 0 ? now->u_roll / now->a : 0);
@@ -174,7 +174,7 @@ static bool run(show *s, tr_run_report *report, tr_status *st) {
     tr_run_say(report, "solver, elements", "%s, %d", solver_name[want->solver], want->elements);
     tr_run_say(report, "segments, steps", "%d, %lld", s->scene->n_segments, (long long)s->total);
     tr_run_say_rows(s->scene, report);
-    tr_run_say(report, "at the end", "Q = %.6g N/m, %.4g of its bound; slid %.6g m", s->result.Q_end, s->result.q_end,
+    tr_run_say(report, "at the end", "Q = %.6g N/m, Q/(mu P) = %.4g; slid %.6g m", s->result.Q_end, s->result.q_end,
                s->result.u_slide_end);
     return ok;
 }

@@ -29,7 +29,7 @@ static const char *const friction_name[] = {"coulomb-spring", "dahlberg-alfredss
 static const char *const rolling_name[] = {"wang-spring", "bagi-kuhn-conjugate", "star-constant-torque",
                                            "star-displacement-damping", "star-force-proportional"};
 
-/* The largest over the path, of each law: Q/(mu P), rolling moment/(mu_r P R), |Q|, and the last Q/(mu P). */
+/* The largest over the path, of each law: |Q|/(mu P), rolling moment/(mu_r P R), |Q|, and the last Q/(mu P). */
 typedef struct extremes {
     double q[TR_MAX_LAWS], moment[TR_MAX_LAWS], open[TR_MAX_LAWS], last[TR_MAX_LAWS];
 } extremes;
@@ -43,7 +43,7 @@ static bool drive(tr_verify *v, const char *text, extremes *e, tr_status *st) {
     bool ok = contact != NULL;
     for (int64_t k = 0; ok && k < tr_contact_steps(&scene) && (ok = tr_contact_step(contact, s, st)); k++)
         for (int i = 0; i < scene.n_laws; i++) {
-            e->q[i] = fmax(e->q[i], s[i].q), e->last[i] = s[i].q;
+            e->q[i] = fmax(e->q[i], fabs(s[i].q)), e->last[i] = s[i].q;
             if (s[i].P > 0) e->moment[i] = fmax(e->moment[i], fabs(s[i].moment_1) / (0.1 * s[i].P * 0.01));
             if (s[i].P == 0) e->open[i] = fmax(e->open[i], fabs(s[i].Q) + fabs(s[i].moment_1) + fabs(s[i].f_r));
         }
