@@ -48,7 +48,7 @@ static void lead(pair *p, double angle1, double angle2, double u) {
     p->energy = tr_ledger_read(&p->world);
 }
 
-/* README: slide disk 2 by u, spin disk 1, undo both in this order. backwards: the other way round. */
+/* figures/README.md: slide disk 2 by u, spin disk 1, undo both in this order. backwards: the other way round. */
 static void slide_and_spin(pair *p, bool backwards) {
     double u = turn * p->L;
     if (backwards) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Errata of the sources: each test writes out the printed form and shows that it fails where the passes of laws/ do not.
- * README has the table. Some errata are shown elsewhere: Wang's eqs. 12, 16, 23, 24 in test_measures.c, creepage at full
+ * tests/README.md has the table. Some errata are shown elsewhere: Wang's eqs. 12, 16, 23, 24 in test_measures.c, creepage at full
  * slip in test_dahlberg.c, STAR's R_eq, limiter and damping in test_star.c.
  *
  * TIGHT: a few roundings of numbers of order 1. */

@@ -106,11 +106,11 @@ else
     skip 'LAMMPS does the same work' 'no lammps here'
 fi
 
-# README shows a mistake in cases/biaxial.yaml and what the tool says of it.
+# cases/README.md shows a mistake in cases/biaxial.yaml and what the tool says of it.
 mkdir "$work/cases"
 sed 's/^  mu_r:/  mu_R:/' "$root/cases/biaxial.yaml" >"$work/cases/biaxial.yaml"
 (cd "$work" && "$TRUNDLE" run cases/biaxial.yaml --check) >/dev/null 2>"$work/said"
 while IFS= read -r line; do
-    check "README shows: $line" grep -qF "    $line" "$root/README.md"
+    check "README shows: $line" grep -qF "    $line" "$root/cases/README.md"
 done <"$work/said"
 finish
