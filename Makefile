@@ -28,7 +28,7 @@ LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o)
 CLI_OBJ  := $(CLI_SRC:%=$(BUILD)/%.o)
 TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all biaxial definitions figures wang kuhn kuhn-film bands replay features bench bench-peers demos gallery verify test mutate faults random test-slurm install asan tsan fuzz lint format clean help packages-% build-all build-faults build-random run-demos run-tests
+.PHONY: all biaxial definitions figures wang kuhn kuhn-film bands replay spread features bench bench-peers demos gallery verify test mutate faults random test-slurm install asan tsan fuzz lint format clean help packages-% build-all build-faults build-random run-demos run-tests
 .SECONDARY:
 
 all: packages-build
@@ -79,6 +79,11 @@ features: packages-build
 bands: packages-build
 	@$(MAKE) --no-print-directory build-all
 	@$(MAKE) --no-print-directory out/figures/shear-bands.png
+
+# Some 20 minutes of a processor. The table of src/study/spread.c anew, and whether its intervals are right. Goes on with what is there.
+spread: packages-build
+	@$(MAKE) --no-print-directory build-all
+	figures/spread/spread.sh ./trundle out/spread
 
 # Many minutes. Goes on with what is there.
 replay: packages-build
@@ -191,6 +196,7 @@ help:
 	@echo 'make kuhn      build, shear assemblies with small and large contacts, with and without creep, and judge what Kuhn saw: out/kuhn-4096/; hours, DISKS=400 is quicker'
 	@echo 'make kuhn-film film and still of how contacts of those assemblies use friction, roll and creep: out/kuhn-film/; minutes'
 	@echo 'make bands     build, shear 10,000 disks without and with rolling resistance, and draw where they turn; minutes'
+	@echo 'make spread    build, measure how strength scatters between seeds (the table of a run'\''s +-), and test the interval on 200 fresh seeds: out/spread/; 20 minutes'
 	@echo 'make replay    build, take the contacts of three assemblies through the exact half-plane and every law, and draw errors: out/replay/; many minutes'
 	@echo 'make bench     build, measure a step of 100 to 1000000 disks, and draw it: out/figures/bench.png; minutes'
 	@echo 'make bench-peers  the same packing here and in LAMMPS, if that is installed: time of a step and ratio'

@@ -176,6 +176,7 @@ extern const tr_law tr_friction_none, tr_rolling_none; /* their step is NULL */
 /* A real parameter of a law by its key, in its parameter struct at par; NULL: the law has none of that name. */
 double *tr_law_value(const tr_law *law, const double *par, const char *key);
 const int *tr_law_count(const tr_law *law, const double *par, const char *key); /* the same of a whole number */
+const int *tr_law_choice(const tr_law *law, const double *par, const char *key); /* the same of a choice */
 
 /* The rolling and the sliding velocities by author: a pass that writes tile->v_r (tile->v_s) from s1, s2, the radii and arms. */
 typedef struct tr_velocity_measure {

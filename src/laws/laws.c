@@ -74,3 +74,7 @@ double *tr_law_value(const tr_law *law, const double *par, const char *key) {
 const int *tr_law_count(const tr_law *law, const double *par, const char *key) {
     return value(law, par, key, TR_COUNT);
 }
+
+const int *tr_law_choice(const tr_law *law, const double *par, const char *key) {
+    return value(law, par, key, TR_CHOICE);
+}

@@ -126,9 +126,27 @@ static json_t *energy_of(tr_shape shape, const tr_energy *e) {
     return o;
 }
 
+static json_t *accuracy_of(const tr_accuracy *a) {
+    static const char *const name[] = {"sin_phi_peak", "sin_phi_residual"};
+    json_t *o = json_object();
+    if (!*a->row) return json_object_set_new(o, "not_examined", json_string(a->not_examined)), o;
+    json_object_set_new(o, "from", json_string(a->row));
+    for (int i = 0; i < 2; i++) {
+        const tr_accuracy_of *of = &a->of[i];
+        json_t *one = json_object();
+        add(one, "half_width_95", of->half);
+        add(one, "half_width_asked", of->aim);
+        json_object_set_new(one, "seeds_it_takes", json_integer(of->seeds));
+        add(one, "half_step_changes", of->step);
+        add(one, "half_step_half_width_95", of->step_half);
+        json_object_set_new(o, name[i], one);
+    }
+    return o;
+}
+
 char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, double unbalanced, const tr_strength *s,
-                         double mean_stress_2, const tr_energy *energy, int64_t paths_bytes, const tr_timing *timing,
-                         tr_status *st) {
+                         double mean_stress_2, const tr_energy *energy, int64_t paths_bytes,
+                         const tr_accuracy *accuracy, const tr_timing *timing, tr_status *st) {
     json_t *o = begin(scene, "biaxial");
     json_object_set_new(o, "n_disks", json_integer(scene->sample.disks));
     add(o, "e0", e0);
@@ -168,6 +186,7 @@ char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, 
         add(o, "energy_residual_over_work", energy->residual / energy->work);
         json_object_set_new(o, "energy", energy_of(scene->shape, energy));
     }
+    json_object_set_new(o, "accuracy", accuracy_of(accuracy));
     if (paths_bytes) json_object_set_new(o, "paths_bytes", json_integer(paths_bytes));
     add_pipeline(o, &b->world);
     return finish(o, timing, st);

@@ -47,13 +47,26 @@ typedef struct tr_check_result {
     bool ok;
 } tr_check_result;
 
+/* How good the two strengths of one sample are, with 95 %: study/spread.h. */
+typedef struct tr_accuracy {
+    char row[160];          /* which of the measured spreads it is from; "": none is of this case, then */
+    char not_examined[120]; /* why, and there are no numbers */
+    struct tr_accuracy_of {
+        double half;            /* the mean of all samples is within that of this one [1] */
+        double aim;             /* a smaller half-width, */
+        int seeds;              /* and how many seeds it takes */
+        double step, step_half; /* what half the step would change, and half of its interval [1] */
+    } of[2];                    /* peak, residual */
+} tr_accuracy;
+typedef struct tr_accuracy_of tr_accuracy_of;
+
 tr_strength tr_summary_strength(const tr_series *series);
 
 /* Text of summary.json (free()); NULL: out of memory. energy may be NULL. paths_bytes: size of paths.csv, by which a
  * replay knows that it is whole; 0: there is none. All but "timing" is the same from run to run of the same case. */
 char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, double unbalanced,
                          const tr_strength *strength, double mean_stress_2, const tr_energy *energy,
-                         int64_t paths_bytes, const tr_timing *timing, tr_status *st);
+                         int64_t paths_bytes, const tr_accuracy *accuracy, const tr_timing *timing, tr_status *st);
 /* b: of the scene, and of scene->more; result: n of them. */
 char *tr_summary_bodies(const tr_scene *scene, const tr_bodies *const *b, const tr_check_result *result, int n,
                         const tr_timing *timing, tr_status *st);

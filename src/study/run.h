@@ -28,7 +28,7 @@ typedef struct tr_run_options {
 struct tr_run_report {
     int n_lines, n_notes;
     struct tr_report_line {
-        char label[40], value[160];
+        char label[40], value[200];
     } line[24 + TR_MAX_LANES * 32];       /* 32: checks of a scene */
     int failed;                           /* checks; the run is complete all the same */
     int n_warnings;                       /* the first of the notes: known before the run */

@@ -9,6 +9,7 @@
 #include "study/inset.h"
 #include "study/packing.h"
 #include "study/run_internal.h"
+#include "study/spread.h"
 #include "study/warn.h"
 #include <math.h>
 #include <stdlib.h>
@@ -346,14 +347,33 @@ static void report_made(test *t) {
     }
 }
 
-static void report(test *t, const tr_strength *s, const tr_timing *timing) {
+/* "0.515 +- 0.05 (...), 3.7 s; +- 0.02 takes 7 seeds, 26 s"; about: where in the test. */
+static void say_strength(tr_run_report *r, const char *label, double sin_phi, const char *about, const tr_accuracy *a, int i,
+                         int disks, double wall_s) {
+    const tr_accuracy_of *of = &a->of[i];
+    if (!*a->row)
+        tr_run_say(r, label, "%.3f +- not examined (%s), %.1f s", sin_phi, about, wall_s);
+    else
+        tr_run_say(r, label, "%.3f +- %.2g (%s; one sample of %d; step %.1g +- %.1g), %.1f s; +- %.2g takes %d seeds, %.0f s",
+                   sin_phi, of->half, about, disks, of->step, of->step_half, wall_s, of->aim, of->seeds, of->seeds * wall_s);
+}
+
+static void report(test *t, const tr_strength *s, const tr_accuracy *a, const tr_timing *timing) {
     tr_run_report *r = t->report;
     tr_run_say(r, "disks, seed", "%d, %llu", t->scene->sample.disks, (unsigned long long)t->scene->seed);
     tr_run_say(r, "inertial number I", "%g", t->scene->shear.inertial_number);
     tr_run_say(r, "void ratio e0", "%.4f", t->e0);
-    tr_run_say(r, "sin phi, peak", "%.3f at %.1f %% strain", s->sin_phi_peak, 100 * s->strain_peak);
-    tr_run_say(r, "sin phi, residual", "%.3f (mean over %.3g-%.3g %% strain)", s->sin_phi_residual,
-               100 * s->residual_from, 100 * t->scene->shear.strain_end);
+    char about[2][48];
+    int disks = t->scene->sample.disks;
+    snprintf(about[0], sizeof about[0], "at %.1f %% strain", 100 * s->strain_peak);
+    snprintf(about[1], sizeof about[1], "mean over %.3g-%.3g %% strain", 100 * s->residual_from,
+             100 * t->scene->shear.strain_end);
+    say_strength(r, "sin phi, peak", s->sin_phi_peak, about[0], a, 0, disks, timing->wall_s);
+    say_strength(r, "sin phi, residual", s->sin_phi_residual, about[1], a, 1, disks, timing->wall_s);
+    if (*a->row)
+        tr_run_say(r, "+-, with 95 %", "%s", a->row);
+    else
+        tr_run_say(r, "not examined", "%s", a->not_examined);
     tr_run_say(r, "void ratio, residual", "%.4f", s->e_residual);
     tr_run_say(r, "rolling share, residual", "%.3f", s->rolling_share);
     tr_run_say(r, "contacts with s1 s2 < 0", "%.1f %%, residual", 100 * s->opposed_fraction);
@@ -362,7 +382,7 @@ static void report(test *t, const tr_strength *s, const tr_timing *timing) {
     tr_run_say(r, mean ? "mean stress" : "lateral stress", "%.4g %s, asked %.4g", held / t->stress_n,
                t->scene->shape == TR_SHAPE_SPHERE ? "N/m" : "Pa", t->scene->shear.lateral_pressure);
     if (t->b.world.ledger && t->energy.work != 0) {
-        tr_run_say(r, "energy residual/work", "%.1e", t->energy.residual / t->energy.work);
+        tr_run_say(r, "energy residual/work", "%.1e (bookkeeping, not accuracy)", t->energy.residual / t->energy.work);
         report_made(t);
     }
     tr_run_say(r, "time step", "%.3g s, bound %.3g s", t->b.world.dt, t->b.dt_bound);
@@ -388,10 +408,11 @@ static bool summarise(test *t, double started, double updates_per_s, tr_status *
     else if (code)
         tr_run_note(t->report, "no curves: gnuplot failed (%d) on plot.gp; run it there to see why", code);
     tr_timing timing = {tr_run_clock() - started, updates_per_s};
+    tr_accuracy accuracy = tr_spread_of(&t->b);
     char *text = tr_summary_biaxial(scene, &t->b, t->e0, t->unbalanced, &s, t->stress_2_sum / t->stress_n,
-                                    t->b.world.ledger ? &t->energy : NULL, t->out.recorder.bytes, &timing, st);
+                                    t->b.world.ledger ? &t->energy : NULL, t->out.recorder.bytes, &accuracy, &timing, st);
     if (!text) return false;
-    report(t, &s, &timing);
+    report(t, &s, &accuracy, &timing);
     bool ok = tr_file_write(t->options->dir, "summary.json", text, st);
     free(text);
     return ok;
@@ -403,8 +424,9 @@ char *tr_run_check_biaxial(const tr_scene *scene, tr_run_report *report, tr_stat
     char *summary = NULL;
     if (b && tr_biaxial_init(b, scene, st)) {
         tr_warn_biaxial(b, report);
+        tr_accuracy accuracy = tr_spread_of(b);
         summary = tr_summary_biaxial(scene, b, 0, 0, &(tr_strength){0}, 0, scene->output.energy ? &energy : NULL,
-                                     scene->output.path_rows, &(tr_timing){0}, st);
+                                     scene->output.path_rows, &accuracy, &(tr_timing){0}, st);
         tr_biaxial_free(b);
     }
     free(b);
