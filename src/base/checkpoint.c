@@ -269,18 +269,21 @@ bool tr_checkpoint_is_one(int fd) {
     return n >= 0 && !memcmp(begin, MAGIC, (size_t)n);
 }
 
-static void remove_one(const char *dir, const char *name) {
+static bool remove_one(const char *dir, const char *name) {
     char path[PATH_MAX];
     snprintf(path, sizeof path, "%s/%s", dir, name);
-    unlink(path);
+    return !unlink(path) || errno == ENOENT;
 }
 
 void tr_checkpoint_remove_part(const char *dir) {
     remove_one(dir, TR_CHECKPOINT ".part");
 }
 
-void tr_checkpoint_remove(const char *dir) {
-    remove_one(dir, TR_CHECKPOINT);
-    remove_one(dir, TR_CHECKPOINT ".old");
-    tr_checkpoint_remove_part(dir);
+bool tr_checkpoint_remove(const char *dir) {
+    static const char *const name[] = {TR_CHECKPOINT, TR_CHECKPOINT ".old", TR_CHECKPOINT ".part"};
+    int error = 0;
+    for (int k = 0; k < 3; k++)
+        if (!remove_one(dir, name[k])) error = errno;
+    errno = error;
+    return !error;
 }

@@ -68,8 +68,8 @@ bool tr_checkpoint_close(tr_checkpoint *c);
  * user's. */
 bool tr_checkpoint_is_one(int fd);
 
-/* Of a finished run. */
-void tr_checkpoint_remove(const char *dir);
+/* Of a finished run. False: one is left, see errno. */
+bool tr_checkpoint_remove(const char *dir);
 
 /* What a run left that was killed while it wrote a checkpoint. */
 void tr_checkpoint_remove_part(const char *dir);

@@ -45,11 +45,11 @@ static bool spawn(pid_t *pid, const char *const args[], const char *part, int in
     posix_spawnattr_t attr;
     posix_spawn_file_actions_init(&files);
     posix_spawnattr_init(&attr);
-    if (input >= 0) posix_spawn_file_actions_adddup2(&files, input, 0);
-    posix_spawn_file_actions_adddup2(&files, log, 1);
-    posix_spawn_file_actions_adddup2(&files, log, 2);
+    int error = input >= 0 ? posix_spawn_file_actions_adddup2(&files, input, 0) : 0;
+    if (!error) error = posix_spawn_file_actions_adddup2(&files, log, 1);
+    if (!error) error = posix_spawn_file_actions_adddup2(&files, log, 2);
     posix_spawnattr_setflags(&attr, POSIX_SPAWN_SETPGROUP);
-    int error = posix_spawnp(pid, "ffmpeg", &files, &attr, (char *const *)args, environ);
+    if (!error) error = posix_spawnp(pid, "ffmpeg", &files, &attr, (char *const *)args, environ);
     posix_spawn_file_actions_destroy(&files);
     posix_spawnattr_destroy(&attr);
     if (error) remove(part);

@@ -98,9 +98,9 @@ static int run_gnuplot(const char *dir) {
     posix_spawnattr_init(&attr);
     posix_spawnattr_setflags(&attr, POSIX_SPAWN_SETPGROUP);
     posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addchdir_np(&actions, dir);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    int error = posix_spawnp(&child, argv[0], &actions, &attr, argv, environ);
+    int error = posix_spawn_file_actions_addchdir_np(&actions, dir); /* without it gnuplot would write elsewhere */
+    if (!error) error = posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    if (!error) error = posix_spawnp(&child, argv[0], &actions, &attr, argv, environ);
     posix_spawn_file_actions_destroy(&actions);
     posix_spawnattr_destroy(&attr);
     if (error) return error;
@@ -118,34 +118,30 @@ static bool is_whole(const char *path, const char *end, size_t size) {
     return whole;
 }
 
-/* The picture stem + end of name gets its name; with gnuplot's code != 0 it is removed. */
-static bool keep(const char *dir, const char *stem, const char *ending, const char *end, size_t size, int code,
-                 tr_status *st) {
-    char name[32], path[TR_PATH];
-    snprintf(name, sizeof name, "%s%s", stem, ending);
-    if (!tr_dir_path(path, dir, name, st)) return false;
-    char *part = tr_part_name(path, st);
-    bool ok = part != NULL;
-    if (ok && code)
-        unlink(part);
-    else if (ok && !is_whole(part, end, size))
-        unlink(part), ok = tr_status_fail(st, TR_FILE, "error: cannot write %s: gnuplot left it unfinished", path);
-    else if (ok)
-        ok = tr_part_keep(part, path, st);
-    free(part);
-    return ok;
+/* The picture gets its name; with gnuplot's code != 0 it is removed. */
+static bool keep(const char *part, const char *path, const char *end, size_t size, int code, tr_status *st) {
+    if (!code && is_whole(part, end, size)) return tr_part_keep(part, path, st);
+    unlink(part);
+    return code || tr_status_fail(st, TR_FILE, "error: cannot write %s: gnuplot left it unfinished", path);
 }
 
-/* Runs plot.gp, and names its two pictures. */
+/* Runs plot.gp, and names its two pictures. All names are there before gnuplot begins: what it writes is not left. */
 static bool draw(const char *dir, const char *stem, int *code, tr_status *st) {
     static const char svg_end[] = "</svg>\n\n", png_end[] = "IEND\xae\x42\x60\x82";
-    char name[2][32];
-    snprintf(name[0], sizeof name[0], "%s.svg", stem);
-    snprintf(name[1], sizeof name[1], "%s.png", stem);
-    if (!tr_made_add(dir, name[0], st) || !tr_made_add(dir, name[1], st)) return false;
-    *code = run_gnuplot(dir);
-    bool svg = keep(dir, stem, ".svg", svg_end, sizeof svg_end - 1, *code, st);
-    return keep(dir, stem, ".png", png_end, sizeof png_end - 1, *code, st) && svg;
+    char name[2][32], path[2][TR_PATH], *part[2] = {NULL};
+    bool ok = true;
+    for (int k = 0; k < 2 && ok; k++) {
+        snprintf(name[k], sizeof name[k], "%s%s", stem, k ? ".png" : ".svg");
+        ok = tr_made_add(dir, name[k], st) && tr_dir_path(path[k], dir, name[k], st) &&
+             (part[k] = tr_part_name(path[k], st));
+    }
+    if (ok) {
+        *code = run_gnuplot(dir);
+        bool svg = keep(part[0], path[0], svg_end, sizeof svg_end - 1, *code, st);
+        ok = keep(part[1], path[1], png_end, sizeof png_end - 1, *code, st) && svg;
+    }
+    free(part[0]), free(part[1]);
+    return ok;
 }
 
 bool tr_plot_biaxial(const char *dir, const char *caption, double strain_end, int *code, tr_status *st) {

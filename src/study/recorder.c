@@ -148,7 +148,7 @@ tr_path_point tr_recorder_now(const tr_recorder *r, int k) {
 
 void tr_recorder_close(tr_recorder *r, tr_status *st) {
     char apart[160] = "";
-    if (r->rows)
+    if (r->rows && r->all.stream) /* one that could not be written is already gone */
         r->bytes = ftell(r->all.stream), tr_file_commit(&r->all, st);
     else
         tr_file_discard(&r->all);

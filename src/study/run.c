@@ -29,12 +29,18 @@ static bool finished(const tr_scene *scene, const tr_run_options *options, tr_st
     return same;
 }
 
+void tr_run_remove_checkpoint(const char *dir, tr_run_report *report) {
+    if (tr_checkpoint_remove(dir)) return;
+    tr_run_note(report, "the checkpoint of this finished run could not be removed: %s; it is of no more use",
+                strerror(errno));
+}
+
 static bool run(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st) {
     if (finished(scene, options, st)) {
         char path[TR_PATH];
         bool ours;
         if (!tr_made_listed(options->dir, TR_CHECKPOINT, &ours, st)) return false;
-        if (ours) tr_checkpoint_remove(options->dir); /* if it was killed right before that */
+        if (ours) tr_run_remove_checkpoint(options->dir, report); /* if it was killed right before that */
         tr_run_note(report, "nothing to resume: this run is finished");
         return tr_dir_path(path, options->dir, "summary.json", st) && tr_summary_failed(path, &report->failed, st);
     }
@@ -99,8 +105,10 @@ bool tr_run_open(const tr_scene *scene, const tr_run_options *options, tr_checkp
     char *resolved = tr_scene_write(scene, tr_laws_catalog(), st);
     bool resume = resolved && options->resume &&
                   tr_checkpoint_open(c ? c : &none, options->dir, TR_CHECKPOINT, resolved, &instead, st);
-    if (resume && (!tr_made_add(options->dir, TR_CHECKPOINT, st) || !tr_made_spare(options->dir, options->sample, st)))
-        return free(resolved), free((c ? c : &none)->bytes), false;
+    if (resume && (!tr_made_add(options->dir, TR_CHECKPOINT, st) || !tr_made_spare(options->dir, options->sample, st))) {
+        if (!c) free(none.bytes); /* c is the caller's, who frees its bytes */
+        return free(resolved), false;
+    }
     if (resume) tr_checkpoint_remove_part(options->dir);
     if (resume && instead.code) tr_run_note(report, "from the checkpoint before the last: %.150s", instead.text);
     bool ok = resume || (resolved && !st->code && spare_inputs(scene, options, st) &&

@@ -460,7 +460,7 @@ bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run
         double updates = (double)(t->b.world.contact_updates - before);
         bool opened = t->out.scene != NULL;
         ok = (opened ? close_outputs(t, st) : prepared) && summarise(t, started, updates / stepping, st);
-        if (ok) tr_checkpoint_remove(options->dir);
+        if (ok) tr_run_remove_checkpoint(options->dir, report);
     }
     tr_biaxial_free(&t->b);
     tr_inset_close(&t->inset);

@@ -36,6 +36,9 @@ void tr_run_contact_row(tr_row *row, const tr_contact_state *s);
 enum { TR_RUN_TITLE = 96 };
 tr_view tr_run_biaxial_view(const tr_biaxial *b, char title[TR_RUN_TITLE]);
 
+/* Of a finished run. A note in the report tells if it cannot be removed. */
+void tr_run_remove_checkpoint(const char *dir, tr_run_report *report);
+
 /* Empties the directory and writes the resolved case into it; or, with options->resume, opens the checkpoint that is there:
  * then c->loading, and nothing is touched. c NULL: this kind has none. */
 bool tr_run_open(const tr_scene *scene, const tr_run_options *options, tr_checkpoint *c, tr_run_report *report,

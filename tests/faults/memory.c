@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* LD_PRELOAD: allocation number FAULT_AT fails, in the program `trundle` alone, not in what it starts.
+ * FAULT_SERVER: descriptor; for each number read from it, a fork of the program meets that fault, and its status is
+ * written back. All of them share the work of the dynamic linker. A fork that hangs is ended by SIGALRM after 20 s.
  * FAULT_COUNT: file for the number of allocations; FAULT_WHERE: for the name of the library that met the fault. */
 #include <dlfcn.h>
 #include <errno.h>
@@ -7,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 extern void *__libc_malloc(size_t), *__libc_calloc(size_t, size_t), *__libc_realloc(void *, size_t);
@@ -15,11 +18,26 @@ extern void *__libc_memalign(size_t, size_t);
 static long count, at;
 static int active;
 
+/* Returns in each fork. */
+static void serve(int fd) {
+    while (read(fd, &at, sizeof at) == sizeof at) {
+        int status = -1;
+        pid_t pid = fork();
+        if (pid == 0) {
+            close(fd), alarm(20);
+            return;
+        }
+        if (waitpid(pid, &status, 0) != pid || write(fd, &status, sizeof status) != sizeof status) break;
+    }
+    _exit(0);
+}
+
 __attribute__((constructor)) static void begin(void) {
-    const char *number = getenv("FAULT_AT");
+    const char *number = getenv("FAULT_AT"), *fd = getenv("FAULT_SERVER");
     if (strcmp(program_invocation_short_name, "trundle") != 0) return;
     at = number ? atol(number) : 0;
     unsetenv("LD_PRELOAD");
+    if (fd) serve(atoi(fd));
     active = 1;
 }
 
