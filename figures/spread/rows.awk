@@ -2,7 +2,8 @@
 # Standard deviation between the seeds of each case, from the points.csv of sweeps.
 FNR == 1 { for (i = 1; i <= NF; i++) column[$i] = i; next }
 {
-    key = $column["n_disks"] FS $column["contact.mu_r"] FS $column["contact.friction"] FS $column["shear.inertial_number"]
+    key = $column["n_disks"] FS $column["contact.mu_r"] FS $column["contact.friction"]
+    key = key FS $column["shear.inertial_number"]
     if (!(key in n)) order[++cases] = key
     n[key]++
     peak[key, n[key]] = $column["sin_phi_peak"]; residual[key, n[key]] = $column["sin_phi_residual"]

@@ -4,17 +4,17 @@
 #
 #     figures/spread/spread.sh TRUNDLE DIR
 #
-# Measures the rows of src/study/spread.c anew and prints them (DIR/rows.csv, DIR/step.csv, DIR/rows.c); then tests, by the rule of
-# rule.awk, whether the interval about each of 200 fresh samples covers the mean (DIR/coverage.csv). Exit code 1: it does not.
-# Started again it does what is missing. Some 20 minutes of a processor.
+# Measures the rows of src/study/spread.c anew and prints them (DIR/rows.csv, DIR/step.csv, DIR/rows.c); then tests, by
+# the rule of rule.awk, whether the interval about each of 200 fresh samples covers the mean (DIR/coverage.csv). Exit
+# code 1: it does not. Started again it does what is missing. Some 20 minutes of a processor.
 set -eu
 export LC_ALL=C
 trundle=$1 out=$2
 here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$out"
 
-# sweep NAME SEEDS DISKS NUMBERS SAFETY: the case of the tables is cases/biaxial.yaml, with the E_star of cases/biaxial-creep.yaml
-# where there is creep.
+# sweep NAME SEEDS DISKS NUMBERS SAFETY: the case of the tables is cases/biaxial.yaml, with the E_star of
+# cases/biaxial-creep.yaml where there is creep.
 sweep() {
     cat >"$out/$1.yaml" <<CASE
 kind: sweep
@@ -24,7 +24,8 @@ vary:
   contact.mu_r: [0, 0.5]
   contact.friction: [coulomb-spring, dahlberg-alfredsson]
   shear.inertial_number: [$4]
-set: {sample.disks: $3, step.safety: $5, contact.E_star: 2.5*k_n, output.frames: 0, output.energy: no, output.curves: no}
+set: {sample.disks: $3, step.safety: $5, contact.E_star: 2.5*k_n,
+  output.frames: 0, output.energy: no, output.curves: no}
 collect: [sin_phi_peak, sin_phi_residual, n_disks]
 CASE
     "$trundle" sweep "$out/$1.yaml" -o "$out/$1" --yes >"$out/$1.said"
@@ -40,5 +41,8 @@ awk -F, -f "$here/rows.awk" "$out/n100/points.csv" "$out/n400/points.csv" "$out/
 awk -F, -f "$here/step.awk" "$out/n400/points.csv" "$out/half-step/points.csv" >"$out/step.csv"
 awk -F, -f "$here/table.awk" "$out/step.csv" "$out/rows.csv" >"$out/rows.c"
 cat "$out/rows.c"
-awk -F, -f "$here/rule.awk" "$out/rows.csv" "$out/fresh/points.csv" >"$out/coverage.csv" || { cat "$out/coverage.csv"; exit 1; }
+awk -F, -f "$here/rule.awk" "$out/rows.csv" "$out/fresh/points.csv" >"$out/coverage.csv" || {
+    cat "$out/coverage.csv"
+    exit 1
+}
 cat "$out/coverage.csv"

@@ -348,14 +348,16 @@ static void report_made(test *t) {
 }
 
 /* "0.515 +- 0.05 (...), 3.7 s; +- 0.02 takes 7 seeds, 26 s"; about: where in the test. */
-static void say_strength(tr_run_report *r, const char *label, double sin_phi, const char *about, const tr_accuracy *a, int i,
-                         int disks, double wall_s) {
+static void say_strength(tr_run_report *r, const char *label, double sin_phi, const char *about, const tr_accuracy *a,
+                         int i, int disks, double wall_s) {
     const tr_accuracy_of *of = &a->of[i];
     if (!*a->row)
         tr_run_say(r, label, "%.3f +- not examined (%s), %.1f s", sin_phi, about, wall_s);
     else
-        tr_run_say(r, label, "%.3f +- %.2g (%s; one sample of %d; step %.1g +- %.1g), %.1f s; +- %.2g takes %d seeds, %.0f s",
-                   sin_phi, of->half, about, disks, of->step, of->step_half, wall_s, of->aim, of->seeds, of->seeds * wall_s);
+        tr_run_say(r, label,
+                   "%.3f +- %.2g (%s; one sample of %d; step %.1g +- %.1g), %.1f s; +- %.2g takes %d seeds, %.0f s",
+                   sin_phi, of->half, about, disks, of->step, of->step_half, wall_s, of->aim, of->seeds,
+                   of->seeds * wall_s);
 }
 
 static void report(test *t, const tr_strength *s, const tr_accuracy *a, const tr_timing *timing) {
@@ -410,7 +412,8 @@ static bool summarise(test *t, double started, double updates_per_s, tr_status *
     tr_timing timing = {tr_run_clock() - started, updates_per_s};
     tr_accuracy accuracy = tr_spread_of(&t->b);
     char *text = tr_summary_biaxial(scene, &t->b, t->e0, t->unbalanced, &s, t->stress_2_sum / t->stress_n,
-                                    t->b.world.ledger ? &t->energy : NULL, t->out.recorder.bytes, &accuracy, &timing, st);
+                                    t->b.world.ledger ? &t->energy : NULL, t->out.recorder.bytes, &accuracy, &timing,
+                                    st);
     if (!text) return false;
     report(t, &s, &accuracy, &timing);
     bool ok = tr_file_write(t->options->dir, "summary.json", text, st);

@@ -45,12 +45,12 @@ static const spread rows[] = {
 };
 enum { N_ROWS = sizeof rows / sizeof *rows };
 
-/* The same: sin phi less that with half the step (mean and standard error over the seeds, of 400 disks at I = 3e-3; all four pairs of
- * mu_r and friction are in the mean). */
+/* The same: sin phi with half the step less that with the step (mean and standard error over the seeds, of 400 disks at
+ * I = 3e-3; all four pairs of mu_r and friction are in the mean). */
 static const struct {
     int seeds;
     double change, error;
-} half_step[2] = {{32, 0.00040, 0.00070}, {32, -0.00136, 0.00436}};
+} half_step[2] = {{32, -0.00040, 0.00070}, {32, 0.00136, 0.00436}};
 
 static const double NEAR = 1.1; /* nothing says how far the numbers hold beyond the case that was measured */
 
@@ -120,8 +120,8 @@ static const item *elsewhere(const tr_biaxial *b, item *list) {
     return NULL;
 }
 
-/* The measured row of this law and mu_r that is nearest in log N and log I; NULL: the case is outside of what they span. Strict
- * in N: 100 disks are in, 99 are not. */
+/* The measured row of this law and mu_r that is nearest in log N and log I; NULL: the case is outside of what they
+ * span. Strict in N: 100 disks are in, 99 are not. */
 static const spread *row_of(int disks, double mu_r, const char *friction, double I) {
     const spread *best = NULL;
     double nearest = INFINITY, low = INFINITY, high = 0;
@@ -162,11 +162,13 @@ tr_accuracy tr_spread_of(const tr_biaxial *b) {
     const spread *row = row_of(disks, mu_r, friction, I);
     item other;
     if (!row)
-        return snprintf(a.not_examined, sizeof a.not_examined, "the table of spreads has no N = %d, mu_r = %g, %s, I = %g",
-                        disks, mu_r, friction, I),
+        return snprintf(a.not_examined, sizeof a.not_examined,
+                        "the table of spreads has no N = %d, mu_r = %g, %s, I = %g", disks, mu_r, friction, I),
                a;
     if (elsewhere(b, &other))
-        return snprintf(a.not_examined, sizeof a.not_examined, "%s is not within 10 %% of the measured case", other.key), a;
+        return snprintf(a.not_examined, sizeof a.not_examined, "%s is not within 10 %% of the measured case",
+                        other.key),
+               a;
     double scale = sqrt((double)row->disks / disks);
     snprintf(a.row, sizeof a.row, "spread of %d seeds, N = %d%s, mu_r = %g, %s, I = %g", row->seeds, row->disks,
              disks == row->disks ? "" : " (times 1/sqrt(N))", row->mu_r, row->friction, row->I);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The interval about one sample covers the mean as often as it says, and is only there for cases like the measured ones. */
+/* The interval about one sample covers the mean as often as it says, and is only there for cases like the measured
+ * ones. */
 #include "assert_close.h"
 #include "base/random.h"
 #include "base/student.h"
@@ -13,8 +14,9 @@ static double normal(tr_random *r) { /* Box and Muller */
     return sqrt(-2 * log(u)) * cos(2 * M_PI * tr_random_uniform(r));
 }
 
-/* s of a few normal seeds, then one more: 20,000 times. By Student 95 % are covered; four standard deviations of the binomial count
- * are 4 sqrt(0.95 0.05/20000) = 0.0062. A normal quantile in the place of Student's covers 0.909 of 8 seeds. */
+/* s of a few normal seeds, then one more: 20,000 times. By Student 95 % are covered; four standard deviations of the
+ * binomial count are 4 sqrt(0.95 0.05/20000) = 0.0062. A normal quantile in the place of Student's covers 0.909 of 8
+ * seeds. */
 static void one_sample_covers_the_mean_in_95_percent(void **state) {
     (void)state;
     enum { TRIALS = 20000 };
@@ -63,27 +65,54 @@ static tr_accuracy accuracy_with(const char *case_file, const char *set) {
 
 static void what_is_not_like_the_measured_case_has_no_numbers(void **state) {
     (void)state;
-    static const char *const out[] = {
-        "sample.disks=99", "sample.disks=1601", "contact.mu=0.6", "contact.mu_r=0.4", "contact.mu_r=1", "contact.k_n=200 MPa",
-        "contact.k_t=0.6*k_n", "contact.k_r=2*k_t", "contact.damping_ratio=0.2", "contact.rolling_velocity=bagi-kuhn",
-        "contact.rolling=bagi-kuhn-conjugate", "contact.friction=none", "compaction.mu=0.1", "compaction.pressure=200 kPa",
-        "compaction.inertial_number=0.02", "compaction.unbalanced=1e-3", "shear.inertial_number=8e-4",
-        "shear.inertial_number=4e-3", "shear.strain_end=0.1", "shear.walls=rough", "boundary=periodic", "step.safety=0.2",
-        "output.rows=100", "sample.r_max=1.8 mm", "shear.lateral_pressure=200 kPa"};
+    static const char *const out[] = {"sample.disks=99",
+                                      "sample.disks=1601",
+                                      "contact.mu=0.6",
+                                      "contact.mu_r=0.4",
+                                      "contact.mu_r=1",
+                                      "contact.k_n=200 MPa",
+                                      "contact.k_t=0.6*k_n",
+                                      "contact.k_r=2*k_t",
+                                      "contact.damping_ratio=0.2",
+                                      "contact.rolling_velocity=bagi-kuhn",
+                                      "contact.rolling=bagi-kuhn-conjugate",
+                                      "contact.friction=none",
+                                      "compaction.mu=0.1",
+                                      "compaction.pressure=200 kPa",
+                                      "compaction.inertial_number=0.02",
+                                      "compaction.unbalanced=1e-3",
+                                      "shear.inertial_number=8e-4",
+                                      "shear.inertial_number=4e-3",
+                                      "shear.strain_end=0.1",
+                                      "shear.walls=rough",
+                                      "boundary=periodic",
+                                      "step.safety=0.2",
+                                      "output.rows=100",
+                                      "sample.r_max=1.8 mm",
+                                      "shear.lateral_pressure=200 kPa"};
     for (size_t i = 0; i < sizeof out / sizeof *out; i++) {
         tr_accuracy a = accuracy_with("cases/biaxial.yaml", out[i]);
         if (*a.row || !*a.not_examined) fail_msg("%s has numbers", out[i]);
     }
-    static const char *const in[] = {NULL, "seed=9", "sample.disks=100", "sample.disks=1600", "contact.mu_r=0", "contact.mu_r=0.48",
-                                     "contact.rolling=none", "shear.inertial_number=2e-3", "sample.density=1000",
-                                     "output.frames=0", "contact.mu=0.52"};
+    static const char *const in[] = {NULL,
+                                     "seed=9",
+                                     "sample.disks=100",
+                                     "sample.disks=1600",
+                                     "contact.mu_r=0",
+                                     "contact.mu_r=0.48",
+                                     "contact.rolling=none",
+                                     "shear.inertial_number=2e-3",
+                                     "sample.density=1000",
+                                     "output.frames=0",
+                                     "contact.mu=0.52"};
     for (size_t i = 0; i < sizeof in / sizeof *in; i++) {
         tr_accuracy a = accuracy_with("cases/biaxial.yaml", in[i]);
         if (!*a.row) fail_msg("%s: %s", in[i], a.not_examined);
     }
 }
 
-/* Disks that all do the same add up to a variance of 1/N. The nearest rows of 300 and 480 disks are both that of 400. */
+/* Disks that all do the same add up to a variance of 1/N. The nearest rows of 300 and 480 disks are both that of 400.
+ * */
 static void between_the_measured_sizes_the_interval_goes_as_one_over_root_N(void **state) {
     (void)state;
     tr_accuracy few = accuracy_with("cases/biaxial.yaml", "sample.disks=300");
