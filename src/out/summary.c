@@ -132,7 +132,7 @@ static json_t *accuracy_of(const tr_accuracy *a) {
     if (!*a->row) return json_object_set_new(o, "not_examined", json_string(a->not_examined)), o;
     json_object_set_new(o, "from", json_string(a->row));
     for (int i = 0; i < 2; i++) {
-        const tr_accuracy_of *of = &a->of[i];
+        const tr_strength_accuracy *of = &a->strength[i];
         json_t *one = json_object();
         add(one, "half_width_95", of->half);
         add(one, "half_width_asked", of->aim);

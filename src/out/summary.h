@@ -32,9 +32,9 @@ typedef struct tr_strength {
 /* What a law did on the path of a contact. */
 typedef struct tr_path_result {
     const char *friction, *rolling, *rolling_velocity; /* rolling_velocity NULL: the law does not use it */
-    double Q_end, q_end, Q_max;                        /* friction at the end, Q/(mu P) with its sign, greatest size [N/m] */
-    double moment_1_end, moment_2_end, moment_max;     /* rolling moments [N] */
-    int64_t merged; /* what did not fit into the friction law's history; see tr_law */
+    double Q_end, q_end, Q_max;                    /* at the end: friction, and over mu P; its greatest size [N/m] */
+    double moment_1_end, moment_2_end, moment_max; /* rolling moments [N] */
+    int64_t merged;                                /* what did not fit into the friction law's history; see tr_law */
 } tr_path_result;
 
 /* One of the checks of a scene of bodies. */
@@ -49,16 +49,16 @@ typedef struct tr_check_result {
 
 /* How good the two strengths of one sample are, with 95 %: study/spread.h. */
 typedef struct tr_accuracy {
-    char row[160];          /* which of the measured spreads it is from; "": none is of this case, then */
-    char not_examined[120]; /* why, and there are no numbers */
-    struct tr_accuracy_of {
+    char row[160];          /* the measured spread that it is from; "": none fits this case, and there are no numbers */
+    char not_examined[120]; /* then: why */
+    struct tr_strength_accuracy {
         double half;            /* the mean of all samples is within that of this one [1] */
         double aim;             /* a smaller half-width, */
         int seeds;              /* and how many seeds it takes */
         double step, step_half; /* what half the step would change, and half of its interval [1] */
-    } of[2];                    /* peak, residual */
+    } strength[2];              /* peak, residual */
 } tr_accuracy;
-typedef struct tr_accuracy_of tr_accuracy_of;
+typedef struct tr_strength_accuracy tr_strength_accuracy;
 
 tr_strength tr_summary_strength(const tr_series *series);
 

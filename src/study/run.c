@@ -105,7 +105,8 @@ bool tr_run_open(const tr_scene *scene, const tr_run_options *options, tr_checkp
     char *resolved = tr_scene_write(scene, tr_laws_catalog(), st);
     bool resume = resolved && options->resume &&
                   tr_checkpoint_open(c ? c : &none, options->dir, TR_CHECKPOINT, resolved, &instead, st);
-    if (resume && (!tr_made_add(options->dir, TR_CHECKPOINT, st) || !tr_made_spare(options->dir, options->sample, st))) {
+    if (resume &&
+        (!tr_made_add(options->dir, TR_CHECKPOINT, st) || !tr_made_spare(options->dir, options->sample, st))) {
         if (!c) free(none.bytes); /* c is the caller's, who frees its bytes */
         return free(resolved), false;
     }

@@ -347,17 +347,23 @@ static void report_made(test *t) {
     }
 }
 
-/* "0.515 +- 0.05 (...), 3.7 s; +- 0.02 takes 7 seeds, 26 s"; about: where in the test. */
-static void say_strength(tr_run_report *r, const char *label, double sin_phi, const char *about, const tr_accuracy *a,
-                         int i, int disks, double wall_s) {
-    const tr_accuracy_of *of = &a->of[i];
+/* "0.515 +- 0.05 (...), 3.7 s; +- 0.02 takes 7 seeds, 26 s"; about: where in the test. A resumed run does not know how
+ * long the whole test took. */
+static void say_strength(const test *t, const char *label, double sin_phi, const char *about, const tr_accuracy *a,
+                         int i, double wall_s) {
+    const tr_strength_accuracy *one = &a->strength[i];
+    char took[32] = "", takes[32] = "";
+    if (!t->options->resume) {
+        snprintf(took, sizeof took, ", %.1f s", wall_s);
+        snprintf(takes, sizeof takes, ", %.0f s", one->seeds * wall_s);
+    }
     if (!*a->row)
-        tr_run_say(r, label, "%.3f +- not examined (%s), %.1f s", sin_phi, about, wall_s);
+        tr_run_say(t->report, label, "%.3f +- not examined (%s)%s", sin_phi, about, took);
     else
-        tr_run_say(r, label,
-                   "%.3f +- %.2g (%s; one sample of %d; step %.1g +- %.1g), %.1f s; +- %.2g takes %d seeds, %.0f s",
-                   sin_phi, of->half, about, disks, of->step, of->step_half, wall_s, of->aim, of->seeds,
-                   of->seeds * wall_s);
+        tr_run_say(t->report, label,
+                   "%.3f +- %.2g (%s; one sample of %d; step %.1g +- %.1g)%s; +- %.2g takes %d seeds%s", sin_phi,
+                   one->half, about, t->scene->sample.disks, one->step, one->step_half, took, one->aim, one->seeds,
+                   takes);
 }
 
 static void report(test *t, const tr_strength *s, const tr_accuracy *a, const tr_timing *timing) {
@@ -366,12 +372,11 @@ static void report(test *t, const tr_strength *s, const tr_accuracy *a, const tr
     tr_run_say(r, "inertial number I", "%g", t->scene->shear.inertial_number);
     tr_run_say(r, "void ratio e0", "%.4f", t->e0);
     char about[2][48];
-    int disks = t->scene->sample.disks;
     snprintf(about[0], sizeof about[0], "at %.1f %% strain", 100 * s->strain_peak);
     snprintf(about[1], sizeof about[1], "mean over %.3g-%.3g %% strain", 100 * s->residual_from,
              100 * t->scene->shear.strain_end);
-    say_strength(r, "sin phi, peak", s->sin_phi_peak, about[0], a, 0, disks, timing->wall_s);
-    say_strength(r, "sin phi, residual", s->sin_phi_residual, about[1], a, 1, disks, timing->wall_s);
+    say_strength(t, "sin phi, peak", s->sin_phi_peak, about[0], a, 0, timing->wall_s);
+    say_strength(t, "sin phi, residual", s->sin_phi_residual, about[1], a, 1, timing->wall_s);
     if (*a->row)
         tr_run_say(r, "+-, with 95 %", "%s", a->row);
     else
@@ -411,9 +416,9 @@ static bool summarise(test *t, double started, double updates_per_s, tr_status *
         tr_run_note(t->report, "no curves: gnuplot failed (%d) on plot.gp; run it there to see why", code);
     tr_timing timing = {tr_run_clock() - started, updates_per_s};
     tr_accuracy accuracy = tr_spread_of(&t->b);
-    char *text = tr_summary_biaxial(scene, &t->b, t->e0, t->unbalanced, &s, t->stress_2_sum / t->stress_n,
-                                    t->b.world.ledger ? &t->energy : NULL, t->out.recorder.bytes, &accuracy, &timing,
-                                    st);
+    char *text =
+        tr_summary_biaxial(scene, &t->b, t->e0, t->unbalanced, &s, t->stress_2_sum / t->stress_n,
+                           t->b.world.ledger ? &t->energy : NULL, t->out.recorder.bytes, &accuracy, &timing, st);
     if (!text) return false;
     report(t, &s, &accuracy, &timing);
     bool ok = tr_file_write(t->options->dir, "summary.json", text, st);

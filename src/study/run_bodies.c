@@ -209,7 +209,7 @@ static void report_bodies(show *s, const tr_timing *timing) {
     tr_run_say(r, "time", "%g s", s->scene->time_end);
     for (int i = 0; i < s->n_results; i++) tr_run_say_check(r, &s->result[i], s->cast.n > 1);
     tr_run_say(r, "accuracy", "%s",
-               s->n_results ? "the errors above, of the step and all else; nothing but the checks is examined"
+               s->n_results ? "the errors above, the step among them; nothing else is examined"
                             : "not examined: no checks; run again with half of step.safety, and compare");
     tr_run_say(r, "wall time", "%.1f s", timing->wall_s);
 }

@@ -173,12 +173,12 @@ tr_accuracy tr_spread_of(const tr_biaxial *b) {
     snprintf(a.row, sizeof a.row, "spread of %d seeds, N = %d%s, mu_r = %g, %s, I = %g", row->seeds, row->disks,
              disks == row->disks ? "" : " (times 1/sqrt(N))", row->mu_r, row->friction, row->I);
     for (int i = 0; i < 2; i++) {
-        tr_accuracy_of *of = &a.of[i];
-        of->half = tr_spread_half(row->s[i] * scale, row->seeds);
-        of->aim = tr_spread_aim(of->half);
-        of->seeds = tr_spread_seeds(of->half, of->aim);
-        of->step = half_step[i].change;
-        of->step_half = tr_student_95(half_step[i].seeds - 1) * half_step[i].error;
+        tr_strength_accuracy *one = &a.strength[i];
+        one->half = tr_spread_half(row->s[i] * scale, row->seeds);
+        one->aim = tr_spread_aim(one->half);
+        one->seeds = tr_spread_seeds(one->half, one->aim);
+        one->step = half_step[i].change;
+        one->step_half = tr_student_95(half_step[i].seeds - 1) * half_step[i].error;
     }
     return a;
 }

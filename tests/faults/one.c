@@ -319,16 +319,28 @@ static bool in_cairo(void) {
     return is;
 }
 
-/* A line of stderr begins with `note: `, and an undisturbed run does not say it. */
+/* A line begins with `note: `, and an undisturbed run does not say it. */
+static bool has_new_note(const char *text, const char *usual) {
+    char *copy = strdup(text);
+    bool has = false;
+    for (char *line = strtok(copy, "\n"); line; line = strtok(NULL, "\n"))
+        if (!strncmp(line, "note: ", 6) && !strstr(usual, line)) has = true;
+    free(copy);
+    return has;
+}
+
+/* On stderr, or in the log of a point of a sweep. */
 static bool has_note(void) {
     size_t size;
     char path[2 * PATH];
     snprintf(path, sizeof path, "%s.stderr", known);
-    char *usual = slurp(path, &size), *copy = strdup(complaint);
-    bool has = false;
-    for (char *line = strtok(copy, "\n"); line; line = strtok(NULL, "\n"))
-        if (!strncmp(line, "note: ", 6) && !strstr(usual, line)) has = true;
-    free(usual), free(copy);
+    char *usual = slurp(path, &size);
+    bool has = has_new_note(complaint, usual);
+    free(usual);
+    for (int i = 0; i < left.n && !has; i++) {
+        const file *log = &left.at[i], *before = find(&want, log->name);
+        if (ends(log->name, "/log") && before) has = has_new_note(log->data, before->data);
+    }
     return has;
 }
 

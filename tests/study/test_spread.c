@@ -117,7 +117,7 @@ static void between_the_measured_sizes_the_interval_goes_as_one_over_root_N(void
     (void)state;
     tr_accuracy few = accuracy_with("cases/biaxial.yaml", "sample.disks=300");
     tr_accuracy many = accuracy_with("cases/biaxial.yaml", "sample.disks=480");
-    for (int i = 0; i < 2; i++) assert_close(few.of[i].half / many.of[i].half, sqrt(480.0 / 300), 1e-12, 0);
+    for (int i = 0; i < 2; i++) assert_close(few.strength[i].half / many.strength[i].half, sqrt(480.0 / 300), 1e-12, 0);
     assert_non_null(strstr(few.row, "N = 400"));
 }
 
