@@ -39,7 +39,8 @@ cat <<HTML
 <style>
 $(cat "$here/../gallery/page.css")
 section { margin-bottom: 3rem; }
-td, th { text-align: left; }
+td, th { text-align: left; white-space: normal; }
+td:nth-child(2) { white-space: nowrap; }
 thead th { min-width: 6rem; white-space: normal; vertical-align: bottom; }
 </style>
 </head>
@@ -68,8 +69,8 @@ $(picture motions.png 'Rolling velocity of two pure motions, and energy made in 
 V_r = A ω1 + B ω2 + C V_t they are −A T and −B T, with a force −C T along the contact. Energy is over k_r R_eff Δu Δθ1 in the first cycle and over
 k_r R1 Δθ1 u in the second.</p>
 $(table energy.csv 'Energy made in a closed cycle')
-<p>So a definition and its source of energy are two things. The paper's moments fit wang alone. Conjugate moments make no energy for any of
-them. The program has them as laws for wang (wang-spring) and for bagi-kuhn (bagi-kuhn-conjugate); the other rows take its T and the moments above.
+<p>So a definition and its source of energy are two things. The paper's moments fit wang alone. In these two cycles conjugate moments make no
+energy for any of them. The program has them as laws for wang (wang-spring) and for bagi-kuhn (bagi-kuhn-conjugate); the other rows take its T and the moments above.
 Even so, alonso is not the rate of a length: after other closed cycles its spring may stay stretched.</p>
 </section>
 <section>

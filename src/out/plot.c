@@ -88,8 +88,8 @@ bool tr_plot_available(void) {
 }
 
 /* gnuplot, working in dir, silent. -d: without the user's settings. A process group of its own: Ctrl-C must not leave
- * half a picture. */
-static int run_gnuplot(const char *dir) {
+ * half a picture. code: what it ends with; -1: a signal. False: it did not start. */
+static bool run_gnuplot(const char *dir, int *code, tr_status *st) {
     char *const argv[] = {"gnuplot", "-d", "-e", "part = '.part'", "plot.gp", NULL};
     posix_spawn_file_actions_t actions;
     posix_spawnattr_t attr;
@@ -103,9 +103,10 @@ static int run_gnuplot(const char *dir) {
     if (!error) error = posix_spawnp(&child, argv[0], &actions, &attr, argv, environ);
     posix_spawn_file_actions_destroy(&actions);
     posix_spawnattr_destroy(&attr);
-    if (error) return error;
+    if (error) return tr_status_fail(st, TR_FILE, "error: cannot start gnuplot: %s", strerror(error));
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    *code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return true;
 }
 
 /* gnuplot does not notice a full disk: a picture is whole if it ends as its format does. */
@@ -136,8 +137,7 @@ static bool draw(const char *dir, const char *stem, int *code, tr_status *st) {
         ok = tr_made_add(dir, name[k], st) && tr_dir_path(path[k], dir, name[k], st) &&
              (part[k] = tr_part_name(path[k], st));
     }
-    if (ok) {
-        *code = run_gnuplot(dir);
+    if (ok && (ok = run_gnuplot(dir, code, st))) {
         bool svg = keep(part[0], path[0], svg_end, sizeof svg_end - 1, *code, st);
         ok = keep(part[1], path[1], png_end, sizeof png_end - 1, *code, st) && svg;
     }
