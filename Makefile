@@ -264,9 +264,10 @@ build-faults: $(BUILD)/tests/faults/memory.so $(BUILD)/tests/faults/calls $(BUIL
 $(BUILD)/tests/faults/memory.so: tests/faults/memory.c
 	@mkdir -p $(@D)
 	$(CC) -std=c17 -D_GNU_SOURCE -Wall -Wextra -Wpedantic -O1 -shared -fPIC -o $@ $<
+$(BUILD)/tests/faults/one: FAULT_LIBS := $(shell pkg-config --libs libpng 2>/dev/null)
 $(BUILD)/tests/faults/calls $(BUILD)/tests/faults/one: $(BUILD)/tests/faults/%: tests/faults/%.c
 	@mkdir -p $(@D)
-	$(CC) -std=c17 -D_GNU_SOURCE -Wall -Wextra -Wpedantic -O1 -o $@ $<
+	$(CC) -std=c17 -D_GNU_SOURCE -Wall -Wextra -Wpedantic -O1 -o $@ $< $(FAULT_LIBS)
 
 # A fuzz target is driven by replay.c, which reads files, or by libFuzzer.
 FUZZ := $(patsubst tests/fuzz/fuzz_%.c,%,$(wildcard tests/fuzz/fuzz_*.c))

@@ -8,6 +8,7 @@
  * is kept by its hash, in WORK/SCENE/known, and not run again. */
 #include <dirent.h>
 #include <fcntl.h>
+#include <png.h>
 #include <signal.h>
 #include <stdarg.h>
 #include <stdbool.h>
@@ -180,14 +181,31 @@ static char *plain(const file *f) {
     return result;
 }
 
-static bool is_binary(const file *f) {
-    return ends(f->name, ".bin") || ends(f->name, ".png");
+/* The caller frees it; NULL: not a whole picture. */
+static png_bytep pixels_of(const file *f, png_image *image) {
+    *image = (png_image){.version = PNG_IMAGE_VERSION};
+    if (!png_image_begin_read_from_memory(image, f->data, f->size)) return NULL;
+    image->format = PNG_FORMAT_RGBA;
+    png_bytep pixels = malloc(PNG_IMAGE_SIZE(*image));
+    if (png_image_finish_read(image, NULL, pixels, 0, NULL)) return pixels;
+    free(pixels);
+    return NULL;
+}
+
+/* ISA-L compresses the same pixels now and then to other bytes. */
+static bool same_pixels(const file *a, const file *b) {
+    png_image of_a, of_b;
+    png_bytep x = pixels_of(a, &of_a), y = pixels_of(b, &of_b);
+    bool equal = x && y && of_a.width == of_b.width && of_a.height == of_b.height && !memcmp(x, y, PNG_IMAGE_SIZE(of_a));
+    free(x), free(y);
+    return equal;
 }
 
 static bool same(const file *a, const file *b) {
     if (same_bytes(a, b)) return true;
     if (!a || !b || !a->data || !b->data) return false;
-    if (is_binary(a)) return false;
+    if (ends(a->name, ".png")) return same_pixels(a, b);
+    if (ends(a->name, ".bin")) return false;
     char *x = plain(a), *y = plain(b);
     bool equal = !strcmp(x, y);
     free(x), free(y);

@@ -137,6 +137,24 @@ static void steady(void **state) {
     end(&A);
 }
 
+/* The force is given, so q is known: each solver is asked for -0.6 mu P, and then for 0.3. The tolerance is that of a
+ * prescribed force. */
+static void q_has_the_sign_of_Q(void **state) {
+    (void)state;
+    static const char *const solver[] = {"half-plane", "brush", "cattaneo", "carter"};
+    for (int k = 0; k < 4; k++) {
+        bool from_rest = k == 2; /* cattaneo loads only once */
+        drive(&A, solver[k],
+              from_rest ? "[{force: 10 kN/m, tangential: -0.6*mu*P, steps: 10}]"
+              : k == 3  ? "[{force: 10 kN/m, tangential: -0.6*mu*P, roll: a, steps: 10}]"
+                        : "[{force: 10 kN/m, tangential: -0.6*mu*P, steps: 10},"
+                          " {force: 10 kN/m, tangential: 0.3*mu*P, steps: 10}]");
+        assert_close(A.state[9].q, -0.6, 1e-6, 0);
+        if (k < 2) assert_close(A.state[19].q, 0.3, 1e-6, 0);
+        end(&A);
+    }
+}
+
 /* A failure says where. */
 static void failure(void **state) {
     (void)state;
@@ -157,6 +175,7 @@ int main(void) {
         cmocka_unit_test(totals),
         cmocka_unit_test(closed_forms),
         cmocka_unit_test(steady),
+        cmocka_unit_test(q_has_the_sign_of_Q),
         cmocka_unit_test(failure),
     };
     return cmocka_run_group_tests_name("inside", tests, NULL, NULL);
