@@ -6,12 +6,11 @@
 
 BUILD  ?= build/release
 CFLAGS ?= -O3 -g
-OPENMP ?= -fopenmp
 PREFIX ?= /usr/local
 DESTDIR ?=
 
 PKGS  := yaml-0.1 muparser jansson box2d cairo freetype2 libpng libisal
-FLAGS := -Isrc -Itests -Wall -Wextra -Wpedantic -ffp-contract=off -pthread $(OPENMP) -MMD -MP $(shell pkg-config --cflags $(PKGS) 2>/dev/null)
+FLAGS := -Isrc -Itests -Wall -Wextra -Wpedantic -ffp-contract=off -pthread -MMD -MP $(shell pkg-config --cflags $(PKGS) 2>/dev/null)
 # -fno-math-errno -fno-trapping-math let square roots and comparisons become vector code; they change no value.
 C_FLAGS   := -std=c17 -D_GNU_SOURCE -fno-math-errno -fno-trapping-math $(FLAGS) $(CFLAGS)
 CXX_FLAGS := -std=c++17 $(FLAGS) $(CFLAGS)
@@ -151,11 +150,11 @@ test-slurm: packages-slurm
 SANITIZE := CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=undefined'
 asan: packages-test
 	@$(MAKE) --no-print-directory run-tests BUILD=build/asan TRUNDLE=build/asan/trundle $(SANITIZE)
-	@if .ci/packages has clang clang:asan clang:libarcher.so; then \
+	@if .ci/packages has clang clang:asan; then \
 	    $(MAKE) --no-print-directory run-tests BUILD=build/asan-clang TRUNDLE=build/asan-clang/trundle CC=clang CXX=clang++ $(SANITIZE); \
-	else echo 'without clang: it, libclang-rt-dev or libomp-dev is not installed'; fi
+	else echo 'without clang: it or libclang-rt-dev is not installed'; fi
 
-# Races of threads, told by clang's sanitizer with the runtime of OpenMP that it knows.
+# Races of threads, told by clang's sanitizer.
 tsan: packages-tsan
 	@$(MAKE) --no-print-directory build-all
 	@$(MAKE) --no-print-directory build/tsan/trundle BUILD=build/tsan CC=clang CXX=clang++ CFLAGS='-O1 -g -fsanitize=thread'
@@ -164,7 +163,7 @@ tsan: packages-tsan
 # Each reader is fed with what libFuzzer makes of the inputs in tests/fuzz/corpus, for so many seconds.
 SECONDS ?= 60
 fuzz: packages-fuzz
-	@$(MAKE) --no-print-directory run-fuzz BUILD=build/fuzz CC=clang CXX=clang++ OPENMP= \
+	@$(MAKE) --no-print-directory run-fuzz BUILD=build/fuzz CC=clang CXX=clang++ \
 	    CFLAGS='-O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined'
 
 install: all
@@ -224,7 +223,7 @@ build-all: $(TRUNDLE)
 trundle: $(BUILD)/trundle
 	@cp $< $@
 $(BUILD)/trundle: $(CLI_OBJ) $(BUILD)/libtrundle.a
-	$(CXX) $(CFLAGS) $(OPENMP) $(LDFLAGS) -o $@ $^ $(LIBS)
+	$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
 $(BUILD)/libtrundle.a: $(LIB_OBJ)
 	@rm -f $@
 	ar rcs $@ $^
@@ -245,7 +244,7 @@ ifneq ($(COMMIT),$(file <$(BUILD)/commit))
 endif
 
 $(BUILD)/tests/%: $(BUILD)/tests/%.c.o $(BUILD)/libtrundle.a
-	$(CXX) $(CFLAGS) $(OPENMP) $(LDFLAGS) -o $@ $^ $(LIBS) -lcmocka
+	$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS) -lcmocka
 
 # This test counts allocations.
 $(BUILD)/tests/core/test_allocation: LDFLAGS += -Wl,--wrap=malloc,--wrap=aligned_alloc,--wrap=calloc,--wrap=realloc
@@ -257,7 +256,7 @@ $(BUILD)/tests/base/test_checkpoint: LDFLAGS += -Wl,--wrap=openat,--wrap=write,-
 RANDOM_OBJ := $(patsubst %,$(BUILD)/%.o,$(wildcard tests/random/*.c) src/cli/stop.c)
 build-random: $(BUILD)/random
 $(BUILD)/random: $(RANDOM_OBJ) $(BUILD)/libtrundle.a
-	$(CXX) $(CFLAGS) $(OPENMP) $(LDFLAGS) -o $@ $^ $(LIBS)
+	$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
 
 # What lets calls fail in a program as it is, tests/faults/.
 build-faults: $(BUILD)/tests/faults/memory.so $(BUILD)/tests/faults/calls $(BUILD)/tests/faults/one
@@ -272,7 +271,7 @@ $(BUILD)/tests/faults/calls $(BUILD)/tests/faults/one: $(BUILD)/tests/faults/%: 
 # A fuzz target is driven by replay.c, which reads files, or by libFuzzer.
 FUZZ := $(patsubst tests/fuzz/fuzz_%.c,%,$(wildcard tests/fuzz/fuzz_*.c))
 $(BUILD)/tests/fuzz/replay_%: $(BUILD)/tests/fuzz/fuzz_%.c.o $(BUILD)/tests/fuzz/replay.c.o $(BUILD)/libtrundle.a
-	$(CXX) $(CFLAGS) $(OPENMP) $(LDFLAGS) -o $@ $^ $(LIBS)
+	$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
 $(BUILD)/fuzz_%: $(BUILD)/tests/fuzz/fuzz_%.c.o $(BUILD)/libtrundle.a
 	$(CXX) $(CFLAGS) -fsanitize=fuzzer $(LDFLAGS) -o $@ $^ $(LIBS)
 run-fuzz: $(FUZZ:%=$(BUILD)/fuzz_%)

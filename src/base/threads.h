@@ -1,55 +1,46 @@
 /* SPDX-License-Identifier: MIT */
-/* Threads of the solver, by OpenMP. A program without it does the same work in order. */
+/* Threads that share work. They are made once, and wait between two pieces of work.
+ *
+ * Work is cut into as many shares as there are threads. Thread k takes share k, so that the data of a share stay near one
+ * processor. A thread that is done takes any share that nobody has begun: where another program holds a processor, work does
+ * not wait for the thread that cannot run. Results must therefore not depend on which thread does a share.
+ *
+ * WAITING. A thread first looks again and again, for some microseconds, and then sleeps. It sleeps at once where there
+ * are more threads than processors. */
 #ifndef TR_THREADS_H
 #define TR_THREADS_H
 
+#include "base/status.h"
 #include <sched.h>
 #include <stdint.h>
 
-#ifdef _OPENMP
-#include <omp.h>
-#endif
-
 enum { TR_MOST_THREADS = 1024 };
 
-/* That this process may use. */
-static inline int tr_processors(void) {
-    cpu_set_t set;
-    return sched_getaffinity(0, sizeof set, &set) ? 1 : CPU_COUNT(&set);
-}
+typedef struct tr_threads tr_threads;
 
-static inline int tr_threads(void) {
-#ifdef _OPENMP
-    return omp_get_max_threads();
-#else
-    return 1;
-#endif
-}
+/* n threads (1 to TR_MOST_THREADS), the caller among them. Signals go to the caller: all are blocked in the others. NULL and
+ * TR_FILE in st when memory or the threads of the system are short. */
+tr_threads *tr_threads_new(int n, tr_status *st);
 
-static inline void tr_threads_set(int n) {
-#ifdef _OPENMP
-    omp_set_num_threads(n);
-#else
-    (void)n;
-#endif
-}
+/* Ends the other threads before it returns. May be NULL. */
+void tr_threads_free(tr_threads *threads);
+
+/* How many; NULL: 1. */
+int tr_threads_count(const tr_threads *threads);
+
+/* work(context, k) once for each k from 0 to n - 1; all are done when it returns. NULL: the caller does the one share.
+ * By one caller at a time, and not from within work. */
+void tr_threads_run(tr_threads *threads, void (*work)(void *context, int k), void *context);
 
 /* Where share k of n begins; where it ends share k + 1 does. */
 static inline int tr_threads_share(int all, int k, int n) {
     return (int)((int64_t)all * k / n);
 }
 
-/* work(context, k) for k from 0 to n - 1, by n threads. One alone is called like any function: OpenMP makes and frees a team
- * even for one. */
-static inline void tr_threads_run(int n, void (*work)(void *context, int k), void *context) {
-    if (n == 1) {
-        work(context, 0);
-        return;
-    }
-#ifdef _OPENMP
-#pragma omp parallel for schedule(static, 1)
-#endif
-    for (int k = 0; k < n; k++) work(context, k);
+/* That this process may use. */
+static inline int tr_processors(void) {
+    cpu_set_t set;
+    return sched_getaffinity(0, sizeof set, &set) ? 1 : CPU_COUNT(&set);
 }
 
 #endif

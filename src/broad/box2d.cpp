@@ -11,7 +11,6 @@
  * r + r_max + skin of an edge (r + skin would miss pairs at the corners, and large partners).
  */
 extern "C" {
-#include "base/threads.h"
 #include "broad/broad_internal.h"
 }
 #include <algorithm>
@@ -98,6 +97,7 @@ void *create(const tr_broad_input *input, tr_status *st) {
 struct Job {
     Box2d *self;
     const tr_broad_input *input;
+    int threads;
     b2AABB all; /* of the boxes of all disks */
 };
 
@@ -107,11 +107,11 @@ void query(void *context, int k) {
     const Box2d &self = *job->self;
     const tr_broad_input *input = job->input;
     Share &share = job->self->shares[static_cast<size_t>(k)];
-    int high = tr_threads_share(input->n, k + 1, input->threads);
+    int high = tr_threads_share(input->n, k + 1, job->threads);
     try {
         share.failed = false;
         share.a.clear(), share.b.clear();
-        for (int a = tr_threads_share(input->n, k, input->threads); a < high; a++) {
+        for (int a = tr_threads_share(input->n, k, job->threads); a < high; a++) {
             share.near.clear();
             Collect collect{&self, input, &share.near, a};
             const double *p = input->pos + 4 * static_cast<size_t>(a);
@@ -134,7 +134,7 @@ void query(void *context, int k) {
 bool find(void *finder, const tr_broad_input *input, tr_pairs *pairs, tr_status *st) {
     if (!tr_broad_check(input, st)) return false;
     auto *self = static_cast<Box2d *>(finder);
-    int n = input->threads;
+    int n = tr_threads_count(input->threads);
     size_t found = 0;
     pairs->n = 0;
     try {
@@ -147,8 +147,8 @@ bool find(void *finder, const tr_broad_input *input, tr_pairs *pairs, tr_status 
     }
     b2AABB all = input->n ? self->box(input->pos, 0) : b2AABB{};
     for (int i = 0; i < input->n; i++) all.Combine(self->tree.GetFatAABB(self->proxy[static_cast<size_t>(i)]));
-    Job job{self, input, all};
-    tr_threads_run(n, query, &job);
+    Job job{self, input, n, all};
+    tr_threads_run(input->threads, query, &job);
     for (const Share &s : self->shares)
         if (s.failed) return out_of_memory(input, st);
     for (const Share &s : self->shares) found += s.a.size();

@@ -9,6 +9,7 @@
 #define TR_BROAD_H
 
 #include "base/status.h"
+#include "base/threads.h"
 #include <math.h>
 #include <stddef.h>
 
@@ -23,7 +24,7 @@ typedef struct tr_broad_input {
     const double *pos;
     double skin;        /* pairs with gap |X21| - R1 - R2 < skin are wanted, no others are given [m] */
     const double *cell; /* two sides of the periodic cell [m]; NULL: there is none */
-    int threads;        /* that share the work */
+    tr_threads *threads; /* that share the work; NULL: one */
 } tr_broad_input;
 
 typedef struct tr_broad_finder {

@@ -30,7 +30,7 @@ static error_t parse(int key, char *value, struct argp_state *state) {
     else if (key == FEATURES)
         a->features = true;
     else if (key == THREADS)
-        tr_threads_set(tr_cli_whole(value, 1, TR_MOST_THREADS, "--threads", state));
+        a->threads = tr_cli_whole(value, 1, TR_MOST_THREADS, "--threads", state);
     else if (key == PACKING)
         a->packing = value;
     else if (key == SIZES)
@@ -85,7 +85,7 @@ static bool passes(const tr_bench_arguments *a, tr_status *st) {
     bool ok = tr_cli_bench_case(a, NULL, 0, &scene[0], st) &&
               tr_cli_bench_case(a, (const char *const[]){"contact.rolling=none"}, 1, &scene[1], st);
     for (int i = 0; i < 2; i++) scene[i].output.energy = false, scene[i].output.frames = 0;
-    ok = ok && tr_bench((const tr_scene *const[]){&scene[0], &scene[1]}, 2, true, report, st);
+    ok = ok && tr_bench((const tr_scene *const[]){&scene[0], &scene[1]}, 2, a->threads, true, report, st);
     tr_scene_free(&scene[0]), tr_scene_free(&scene[1]);
     if (!ok) return false;
     print_table("as given", &report[0]);

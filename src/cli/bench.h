@@ -10,6 +10,7 @@ typedef struct tr_bench_arguments {
     const char *file, *out, *packing, *set[TR_BENCH_SETS];
     int n_set;
     bool features;
+    int threads; /* 0: one */
     int largest; /* of --sizes; 0: not asked for */
 } tr_bench_arguments;
 

@@ -145,7 +145,7 @@ bool tr_cli_bench_features(const tr_bench_arguments *a, tr_status *st) {
     tr_file csv = {0};
     bool ok = t && (!a->out || tr_cli_open(&csv, a->out, a->file, st)) && fill(t, a, st);
     for (int i = 0; ok && i < t->n; i++) scene[i] = &t->scene[i];
-    ok = ok && tr_bench(scene, t->n, false, t->report, st);
+    ok = ok && tr_bench(scene, t->n, a->threads, false, t->report, st);
     if (ok) write_all(t, csv.stream);
     ok = ok && (!a->out || tr_file_commit(&csv, st)) && check(t, st);
     tr_file_discard(&csv);

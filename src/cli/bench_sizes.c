@@ -55,7 +55,7 @@ bool tr_cli_bench_sizes(const tr_bench_arguments *a, tr_status *st) {
     while (n < N && SIZES[n] <= a->largest) sizes[n].disks = SIZES[n], n++;
     bool ok = tr_cli_bench_case(a, NULL, 0, &scene, st) && (!a->out || tr_cli_open(&csv, a->out, a->file, st));
     if (ok) scene.output.energy = false;
-    ok = ok && tr_bench_sizes(&scene, sizes, n, st);
+    ok = ok && tr_bench_sizes(&scene, a->threads, sizes, n, st);
     if (ok) write_all(sizes, n, csv.stream);
     ok = ok && (!a->out || tr_file_commit(&csv, st));
     tr_file_discard(&csv), tr_scene_free(&scene);

@@ -2,7 +2,6 @@
 /* trundle: arguments in, printing out; everything else is below. Exit codes: base/status.h. */
 #include "cli/cli.h"
 
-#include "base/threads.h"
 #include "base/version.h"
 #include <fcntl.h>
 #include <signal.h>
@@ -56,7 +55,6 @@ static int run(int argc, char **argv) {
 
 int main(int argc, char **argv) {
     open_standard_streams();
-    tr_threads_set(1);        /* more for who asks: a sweep has all cores busy without */
     signal(SIGXFSZ, SIG_IGN); /* a limit on the size of files is an error of the write */
     int code = run(argc, argv);
     if (!fflush(stdout) && !ferror(stdout)) return code;

@@ -19,6 +19,7 @@ typedef struct arguments {
     int n_set;
     bool force, check, resume;
     double checkpoint;
+    int threads;
     char *owned[MAX_SETS]; /* texts made of --seed and --frames */
     int n_owned;
 } arguments;
@@ -76,7 +77,7 @@ static error_t parse(int key, char *value, struct argp_state *state) {
         if (a->resume && a->force) argp_error(state, "--resume keeps what is there, --force replaces it");
         break;
     case THREADS:
-        tr_threads_set(tr_cli_whole(value, 1, TR_MOST_THREADS, "--threads", state));
+        a->threads = tr_cli_whole(value, 1, TR_MOST_THREADS, "--threads", state);
         break;
     case SAMPLE:
         a->sample = value;
@@ -151,6 +152,7 @@ static int run(const arguments *a) {
                                   .resume = a->resume,
                                   .checkpoint = a->checkpoint,
                                   .sample = a->sample,
+                                  .threads = a->threads,
                                   .stop = tr_cli_stop(),
                                   .progress = tr_progress_show,
                                   .context = &progress,

@@ -6,7 +6,6 @@
 #include "core/contacts.h"
 
 #include "base/alloc.h"
-#include "base/threads.h"
 #include "core/cell.h"
 #include "core/crush.h"
 #include "core/list.h"
@@ -42,7 +41,7 @@ static bool is_near_whole(const tr_world *world, const tr_extent *now) {
 
 static bool search(tr_world *world, tr_status *st) {
     const double *cell = world->cell.side[0] > 0 ? world->cell.side : NULL;
-    tr_broad_input input = {world->disks.n, world->disks.pos, world->wide_skin, cell, tr_world_threads(world)};
+    tr_broad_input input = {world->disks.n, world->disks.pos, world->wide_skin, cell, world->threads};
     world->wide_extent = tr_stretch_extent(world);
     copy_centres(&world->disks, world->wide_ref);
     world->searches++;
@@ -150,7 +149,7 @@ static bool pick_disks(pruning *p, tr_status *st) {
         if (!tr_alloc_grow(&world->picked, 0, (size_t)near->capacity, sizeof(int), st)) return false;
         world->picks = near->capacity;
     }
-    tr_threads_run(p->threads, pick, p);
+    tr_threads_run(p->world->threads, pick, p);
     for (int k = 0; k < p->threads; k++) crushed = p->share[k].crushed < crushed ? p->share[k].crushed : crushed;
     if (crushed == near->n) return true;
     int a = near->a[crushed], b = near->b[crushed];
@@ -167,7 +166,7 @@ static bool list_disks(pruning *p, tr_status *st) {
     tr_list_begin(g);
     if (!tr_list_reserve(g, n, st)) return false;
     g->n = n;
-    tr_threads_run(p->threads, put, p);
+    tr_threads_run(p->world->threads, put, p);
     return true;
 }
 

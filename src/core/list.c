@@ -2,7 +2,6 @@
 #include "core/list.h"
 
 #include "base/alloc.h"
-#include "base/threads.h"
 #include "base/vector.h"
 #include "core/cell.h"
 #include <string.h>
@@ -91,7 +90,7 @@ static void carry(void *context, int k) {
 static void carry_array(renewal *r, double **array) {
     tr_group *g = r->g;
     r->from = *array, r->to = g->spare;
-    tr_threads_run(r->threads, carry, r);
+    tr_threads_run(r->world->threads, carry, r);
     g->spare = *array, *array = r->to;
 }
 
@@ -116,10 +115,10 @@ static void new_pairs(void *context, int k) {
 void tr_list_carry(const tr_world *world, tr_group *g) {
     if (!g->capacity) return;
     renewal r = {.world = world, .g = g, .threads = tr_world_threads(world)};
-    tr_threads_run(r.threads, find_sources, &r);
+    tr_threads_run(world->threads, find_sources, &r);
     for (int k = 0; k < g->n_hist; k++) carry_array(&r, &g->hist[k]);
     for (int k = 0; k < g->n_pair; k++) carry_array(&r, &g->pair[k]);
-    tr_threads_run(r.threads, new_pairs, &r);
+    tr_threads_run(world->threads, new_pairs, &r);
     for (int k = 0; k < BEHIND; k++) g->a[g->n + k] = g->b[g->n + k] = 0;
 }
 
@@ -154,6 +153,6 @@ void tr_list_constants(tr_world *world, int *z) {
             if (!slot->law->n_pair || !g->n) continue;
             if (slot->law->needs & TR_NEEDS_Z) count_listed(world, z);
             renewal r = {.world = world, .g = g, .threads = tr_world_threads(world), .slot = slot, .z = z};
-            tr_threads_run(r.threads, constants, &r);
+            tr_threads_run(world->threads, constants, &r);
         }
 }

@@ -2,7 +2,6 @@
 #include "core/shares.h"
 
 #include "base/alloc.h"
-#include "base/threads.h"
 #include "base/vector.h"
 #include "core/cell.h"
 #include "core/tile.h"
@@ -177,7 +176,7 @@ bool tr_shares_forces(tr_world *world, double dt, tr_status *st) {
     tr_shares *s = world->shares;
     tr_quad *force = (tr_quad *)world->disks.force;
     s->dt = dt;
-    tr_threads_run(s->threads, work, world);
+    tr_threads_run(world->threads, work, world);
     for (int k = 0; k < s->threads; k++)
         for (const late *l = s->part[k].late, *end = l + s->part[k].n_late; l < end; l++) force[l->disk] += l->force;
     for (int tile = 0; tile < s->tiles; tile++) {

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "core/step.h"
 
-#include "base/threads.h"
 #include "base/vector.h"
 #include "core/cell.h"
 #include "core/contacts.h"
@@ -128,7 +127,7 @@ void tr_step_advance(tr_world *world) {
     motion m = {
         .world = world, .threads = tr_world_threads(world), .stretch = tr_stretch_of(&world->thin_extent, &now)};
     m.reach = tr_stretch_reach(world, &m.stretch, world->thin_skin, 0);
-    tr_threads_run(m.threads, advance_disks, &m);
+    tr_threads_run(world->threads, advance_disks, &m);
     world->spent = true;
     world->steps++;
     if (!(m.reach >= world->wall_moved)) world->stale = true; /* also where it is negative */

@@ -2,7 +2,6 @@
 #include "core/world.h"
 
 #include "base/alloc.h"
-#include "base/threads.h"
 #include "core/arcs.h"
 #include "core/contacts.h"
 #include "core/ledger.h"
@@ -43,7 +42,7 @@ void tr_world_free(tr_world *world) {
     free(d->pos), free(d->vel), free(d->force), free(d->inv), free(d->load), free(d->mass);
     free(d->coordination);
     free(world->wide_ref), free(world->thin_ref), free(world->ledger), free(world->tile), free(world->picked);
-    tr_shares_free(world->shares);
+    tr_shares_free(world->shares), tr_threads_free(world->threads);
     group_free(&world->group[0]), group_free(&world->group[1]);
     if (world->finder) world->broad->destroy(world->finder);
     tr_pairs_free(&world->near);
@@ -136,7 +135,7 @@ bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool sm
     }
     if (world->finder) world->broad->destroy(world->finder);
     world->finder =
-        world->broad->create(&(tr_broad_input){world->disks.n, world->disks.pos, world->wide_skin, NULL, 1}, st);
+        world->broad->create(&(tr_broad_input){world->disks.n, world->disks.pos, world->wide_skin, NULL, NULL}, st);
     return world->finder != NULL;
 }
 
@@ -197,9 +196,16 @@ tr_law_data tr_group_data(const tr_group *group, const tr_slot *slot) {
                          .shape = group->shape};
 }
 
+bool tr_world_set_threads(tr_world *world, int n, tr_status *st) {
+    if (n < 1 || world->disks.n <= world->alone_to) n = 1;
+    if (n == tr_world_threads(world)) return true;
+    tr_threads_free(world->threads);
+    world->threads = n > 1 ? tr_threads_new(n, st) : NULL;
+    return world->threads || n == 1;
+}
+
 int tr_world_threads(const tr_world *world) {
-    int threads = tr_threads();
-    return world->disks.n <= world->alone_to ? 1 : threads < TR_MOST_THREADS ? threads : TR_MOST_THREADS;
+    return tr_threads_count(world->threads);
 }
 
 size_t tr_world_bytes(const tr_world *world) {

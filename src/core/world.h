@@ -26,6 +26,7 @@
 #ifndef TR_WORLD_H
 #define TR_WORLD_H
 
+#include "base/threads.h"
 #include "broad/broad.h"
 #include "laws/law.h"
 #include "scene/scene.h"
@@ -163,7 +164,8 @@ typedef struct tr_world {
     tr_group group[2];     /* disk-disk, wall-disk */
     tr_ledger *ledger;     /* NULL: not kept */
     tr_tile *tile;         /* one, reused; allocated apart because its lanes are aligned */
-    tr_shares *shares;     /* of the threads; NULL: one does the work. See shares.h */
+    tr_threads *threads;   /* that share the work; NULL: one does it. See base/threads.h */
+    tr_shares *shares;     /* what they share; NULL: not used yet. See shares.h */
     /* pair finding */
     const tr_broad_finder *broad;
     void *finder;
@@ -177,7 +179,7 @@ typedef struct tr_world {
     bool spent;        /* tr_step_advance has used the forces, and left 0 */
     bool fresh;        /* laws were just set: nothing has moved since the histories were zero */
     bool stale;        /* the list no longer holds every pair that may touch */
-    int alone_to;      /* up to so many disks one thread does all: threads would wait longer for each other than they work */
+    int alone_to;      /* up to so many disks a world has one thread: more would wait longer for each other than they work */
     int64_t searches, refreshes;
     tr_crush crush; /* what tr_step_forces has failed for, if it was that */
 } tr_world;
@@ -218,8 +220,11 @@ tr_pair_bodies tr_world_pair(const tr_world *world, const tr_group *group, int a
 /* What the law of a slot sees. */
 tr_law_data tr_group_data(const tr_group *group, const tr_slot *slot);
 
-/* Threads that share the work of its steps: one up to alone_to disks, which tr_world_init sets to TR_FEW_DISKS. */
+/* The world gets n threads (0: one) that share the work of its steps, and keeps them until it is freed or gets others. A new world has one
+ * thread, and up to alone_to disks that does not change; tr_world_init sets this to TR_FEW_DISKS. TR_FILE: the system has no
+ * threads or memory left. */
 enum { TR_FEW_DISKS = 4000 };
+bool tr_world_set_threads(tr_world *world, int n, tr_status *st);
 int tr_world_threads(const tr_world *world);
 
 /* Bytes that the world holds, less those of the pair finder's own; how many history arrays there are, of both groups. */

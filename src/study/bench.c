@@ -2,7 +2,6 @@
 #include "study/bench.h"
 
 #include "base/alloc.h"
-#include "base/threads.h"
 #include "core/biaxial.h"
 #include "core/step.h"
 #include "study/run_internal.h"
@@ -32,10 +31,9 @@ tr_quartiles tr_bench_quartiles(const double *values, int n) {
     return (tr_quartiles){quantile(sorted, n, 0.25), quantile(sorted, n, 0.5), quantile(sorted, n, 0.75)};
 }
 
-/* Of this thread alone, so that a busy machine disturbs less; where threads were asked for, of the wall: waiting counts. */
-double tr_bench_clock(void) {
+double tr_bench_clock(const tr_world *world) {
     struct timespec t;
-    clock_gettime(tr_threads() > 1 ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID, &t);
+    clock_gettime(world->threads ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID, &t);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
@@ -47,7 +45,7 @@ static void nothing(void *context, tr_group *group, tr_tile *tile) {
  * is 0. */
 static double time_walk(tr_world *world, int n_pass, tr_status *st) {
     int whole[2] = {world->group[0].n_pass, world->group[1].n_pass}, calls = 300000 / (world->group[0].n + 100) + 1;
-    double start = tr_bench_clock();
+    double start = tr_bench_clock(world);
     for (int c = 0; c < calls; c++) {
         if (n_pass < 0) {
             world->fresh = true;
@@ -60,7 +58,7 @@ static double time_walk(tr_world *world, int n_pass, tr_status *st) {
             world->group[k].n_pass = whole[k];
         }
     }
-    return (tr_bench_clock() - start) / calls;
+    return (tr_bench_clock(world) - start) / calls;
 }
 
 /* What each pass adds: the walk is cut after every pass in turn, and the whole is repeated. */
@@ -107,10 +105,10 @@ static void follow(subject *s, const subject *first) {
     to->cell = from->cell;
 }
 
-static bool prepare(subject *s, const subject *first, const tr_scene *scene, tr_status *st) {
+static bool prepare(subject *s, const subject *first, const tr_scene *scene, int threads, tr_status *st) {
     bool done = s != first;
     double unbalanced;
-    if (!tr_biaxial_init(&s->b, scene, st)) return false;
+    if (!tr_biaxial_init(&s->b, scene, st) || !tr_world_set_threads(&s->b.world, threads, st)) return false;
     if (s != first) follow(s, first);
     while (!done)
         if (!tr_biaxial_compact(&s->b, 200, &unbalanced, &done, st)) return false;
@@ -124,11 +122,11 @@ static bool prepare(subject *s, const subject *first, const tr_scene *scene, tr_
 static bool draw(subject *s, int k, tr_canvas *canvas, tr_status *st) {
     tr_record *records = NULL;
     int capacity = 0;
-    double start = tr_bench_clock();
+    double start = tr_bench_clock(&s->b.world);
     s->view.n_records = tr_record_all(&s->b.world, &records, &capacity, st);
     s->view.record = records;
     if (!st->code) tr_draw_biaxial(canvas, &s->view);
-    s->frame[k] = tr_bench_clock() - start;
+    s->frame[k] = tr_bench_clock(&s->b.world) - start;
     free(records);
     return st->code == TR_OK;
 }
@@ -139,11 +137,11 @@ static bool run_block(subject *s, int k, tr_bench_report *r, tr_status *st) {
     double start = 0;
     world->stale = true;
     for (int64_t n = -1; n < steps; n++) { /* the first, with the new list that the new packing needs, does not count */
-        if (n == 0) start = tr_bench_clock(), updates = world->contact_updates;
+        if (n == 0) start = tr_bench_clock(world), updates = world->contact_updates;
         if (!tr_biaxial_forces(&s->b, st)) return false;
         tr_step_advance(world);
     }
-    double seconds = tr_bench_clock() - start, touched = (double)(world->contact_updates - updates);
+    double seconds = tr_bench_clock(world) - start, touched = (double)(world->contact_updates - updates);
     s->ns[k] = 1e9 * seconds / touched;
     s->step[k] = seconds / (double)steps;
     r->touching += touched / (double)steps / BLOCKS;
@@ -163,7 +161,7 @@ static void report_subject(const subject *s, const subject *first, tr_bench_repo
     if (s->b.scene->output.frames) r->frame = tr_bench_quartiles(s->frame, BLOCKS);
 }
 
-bool tr_bench(const tr_scene *const *scenes, int n, bool passes, tr_bench_report *reports, tr_status *st) {
+bool tr_bench(const tr_scene *const *scenes, int n, int threads, bool passes, tr_bench_report *reports, tr_status *st) {
     subject *s = tr_alloc((size_t)n, sizeof *s, st);
     tr_canvas *canvas = NULL;
     bool ok = s != NULL;
@@ -171,7 +169,7 @@ bool tr_bench(const tr_scene *const *scenes, int n, bool passes, tr_bench_report
         if (scenes[i]->output.frames && !canvas) ok = (canvas = tr_canvas_create(st)) != NULL;
     for (int i = 0; ok && i < n; i++) {
         reports[i] = (tr_bench_report){0};
-        ok = prepare(&s[i], &s[0], scenes[i], st);
+        ok = prepare(&s[i], &s[0], scenes[i], threads, st);
     }
     for (int k = 0; ok && k < BLOCKS; k++) {
         for (int i = 1; i < n; i++) follow(&s[i], &s[0]);

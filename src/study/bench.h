@@ -14,8 +14,9 @@ typedef struct tr_quartiles {
 
 tr_quartiles tr_bench_quartiles(const double *values, int n);
 
-/* Time of this thread [s]. */
-double tr_bench_clock(void);
+/* Time of this thread, so that a busy machine disturbs less [s]; of the wall where threads share the work of the world, for
+ * waiting counts. */
+double tr_bench_clock(const tr_world *world);
 
 typedef struct tr_bench_report {
     tr_quartiles ns;         /* of a whole step, per touching contact [ns] */
@@ -37,7 +38,7 @@ typedef struct tr_bench_report {
  * each block of the first they take positions and velocities from it, so that contacts differ by no more than one block
  * makes. A block of each in turn, so that what the machine does falls on all alike. The first step of a block, which makes the
  * list anew, does not count. passes: time each pass too. */
-bool tr_bench(const tr_scene *const *scenes, int n, bool passes, tr_bench_report *reports, tr_status *st);
+bool tr_bench(const tr_scene *const *scenes, int n, int threads, bool passes, tr_bench_report *reports, tr_status *st);
 
 /* ---- cost against the number of disks: bench_sizes.c ---- */
 
@@ -54,7 +55,7 @@ typedef struct tr_bench_size {
 /* Shears samples of sizes[].disks in turn, a cycle of each: from one search of all pairs to the next, so that a cycle has its
  * share of everything that a long run does. Up to 1000 disks the sample is that of the scene; above, a multiple of 1000, it is
  * tiled, see there. */
-bool tr_bench_sizes(const tr_scene *scene, tr_bench_size *sizes, int n, tr_status *st);
+bool tr_bench_sizes(const tr_scene *scene, int threads, tr_bench_size *sizes, int n, tr_status *st);
 
 /* Until it is at rest. */
 bool tr_bench_compact(tr_biaxial *b, tr_status *st);
@@ -78,6 +79,7 @@ typedef struct tr_bench_state {
 
 /* Writes dir/packing.data and dir/packing.lmp for LAMMPS, then takes the steps: the state after either part, and the time of a
  * step of the second [us]. */
-bool tr_bench_packing(const tr_scene *scene, const char *dir, tr_bench_state state[2], double *us, tr_status *st);
+bool tr_bench_packing(const tr_scene *scene, int threads, const char *dir, tr_bench_state state[2], double *us,
+                      tr_status *st);
 
 #endif

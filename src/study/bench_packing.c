@@ -143,17 +143,18 @@ static bool steps(tr_world *world, int n, tr_status *st) {
     return true;
 }
 
-bool tr_bench_packing(const tr_scene *scene, const char *dir, tr_bench_state state[2], double *us, tr_status *st) {
+bool tr_bench_packing(const tr_scene *scene, int threads, const char *dir, tr_bench_state state[2], double *us,
+                      tr_status *st) {
     tr_biaxial b;
     if (!tr_biaxial_init(&b, scene, st)) return false;
-    bool ok = tr_bench_compact(&b, st) && tr_biaxial_begin_shear(&b, st);
+    bool ok = tr_world_set_threads(&b.world, threads, st) && tr_bench_compact(&b, st) && tr_biaxial_begin_shear(&b, st);
     if (ok) make_rim(&b);
     ok = ok && tr_world_set_laws(&b.world, &scene->contact, true, 0, st) && tr_step_forces(&b.world, st) &&
          write_data(&b.world, dir, st) && write_variables(&b, dir, st) && steps(&b.world, TR_BENCH_COMPARED, st) &&
          look(&b.world, &state[0], st);
-    double start = tr_bench_clock();
+    double start = tr_bench_clock(&b.world);
     ok = ok && steps(&b.world, TR_BENCH_TIMED, st);
-    *us = 1e6 * (tr_bench_clock() - start) / TR_BENCH_TIMED;
+    *us = 1e6 * (tr_bench_clock(&b.world) - start) / TR_BENCH_TIMED;
     ok = ok && look(&b.world, &state[1], st);
     tr_biaxial_free(&b);
     return ok;

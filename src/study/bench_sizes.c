@@ -71,16 +71,17 @@ static void flow(tr_biaxial *b) {
         b->world.disks.vel[4 * (size_t)i + 1] = -b->rate * (b->world.disks.pos[4 * (size_t)i + 1] - y);
 }
 
-static bool prepare(subject *s, const tr_scene *scene, int disks, const tr_biaxial *tile, tr_status *st) {
+static bool prepare(subject *s, const tr_scene *scene, int disks, int threads, const tr_biaxial *tile,
+                    tr_status *st) {
     s->scene = *scene;
     s->scene.sample.disks = disks;
-    if (!tr_biaxial_init(&s->b, &s->scene, st)) return false;
+    if (!tr_biaxial_init(&s->b, &s->scene, st) || !tr_world_set_threads(&s->b.world, threads, st)) return false;
     if (disks <= TILE ? !tr_bench_compact(&s->b, st) : !tr_bench_tile(&s->b, tile, st)) return false;
     if (!tr_biaxial_begin_shear(&s->b, st)) return false;
     flow(&s->b);
-    double start = tr_bench_clock();
+    double start = tr_bench_clock(&s->b.world);
     if (!tr_biaxial_forces(&s->b, st)) return false; /* the first search */
-    s->search = tr_bench_clock() - start;
+    s->search = tr_bench_clock(&s->b.world) - start;
     return true;
 }
 
@@ -98,15 +99,15 @@ static bool run_cycle(subject *s, int k, tr_bench_size *r, tr_status *st) {
     tr_world *world = &s->b.world;
     int64_t searches = world->searches, refreshes = world->refreshes, updates = world->contact_updates, last = updates,
             steps = 0;
-    double listed = world->group[0].n + world->group[1].n, renewing = s->search, start = tr_bench_clock() - s->search,
+    double listed = world->group[0].n + world->group[1].n, renewing = s->search, start = tr_bench_clock(world) - s->search,
            end = start;
     do {
         tr_step_advance(world);
         steps++;
         bool renew = world->stale;
-        if (renew) end = tr_bench_clock(), last = world->contact_updates;
+        if (renew) end = tr_bench_clock(world), last = world->contact_updates;
         if (!tr_biaxial_forces(&s->b, st)) return false;
-        if (renew) s->search = tr_bench_clock() - end;
+        if (renew) s->search = tr_bench_clock(world) - end;
         if (world->searches == searches && renew) renewing += s->search;
     } while (world->searches == searches);
     if (k < 0) return true;
@@ -121,7 +122,7 @@ static bool run_cycle(subject *s, int k, tr_bench_size *r, tr_status *st) {
     return true;
 }
 
-bool tr_bench_sizes(const tr_scene *scene, tr_bench_size *sizes, int n, tr_status *st) {
+bool tr_bench_sizes(const tr_scene *scene, int threads, tr_bench_size *sizes, int n, tr_status *st) {
     subject *s = tr_alloc((size_t)n + 1, sizeof *s, st), *tile = s + n;
     bool ok = s != NULL;
     if (ok && sizes[n - 1].disks > TILE) {
@@ -129,7 +130,7 @@ bool tr_bench_sizes(const tr_scene *scene, tr_bench_size *sizes, int n, tr_statu
         tile->scene.sample.disks = TILE;
         ok = tr_biaxial_init(&tile->b, &tile->scene, st) && tr_bench_compact(&tile->b, st);
     }
-    for (int i = 0; ok && i < n; i++) ok = prepare(&s[i], scene, sizes[i].disks, &tile->b, st);
+    for (int i = 0; ok && i < n; i++) ok = prepare(&s[i], scene, sizes[i].disks, threads, &tile->b, st);
     for (int k = -1; ok && k < TR_BENCH_CYCLES; k++)
         for (int i = 0; ok && i < n; i++)
             if (has_cycle(sizes[i].disks, k)) ok = run_cycle(&s[i], k, &sizes[i], st);

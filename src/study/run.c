@@ -160,6 +160,11 @@ static void note_fewer(const tr_outputs *o, tr_run_report *report, int64_t total
                     (long long)total, rows, frames, lists);
 }
 
+bool tr_run_share(const tr_run_options *options, tr_world *world, tr_status *st) {
+    if (options->share_few) world->alone_to = 0;
+    return tr_world_set_threads(world, options->threads, st);
+}
+
 double tr_run_clock(void) {
     struct timespec t;
     clock_gettime(CLOCK_MONOTONIC, &t);

@@ -17,6 +17,7 @@ typedef struct tr_run_options {
     bool resume;           /* go on from the checkpoint, if there is one; a finished run is left as it is */
     double checkpoint;     /* seconds between two; kind: biaxial */
     const char *sample;    /* kind: biaxial: file of the packing to start from, made if it is not there; may be NULL */
+    int threads;           /* that share the work of a large sample; 0: one */
     bool share_few;        /* threads share the work of few disks too: slower, so it is for tests */
     const volatile sig_atomic_t *stop;                                   /* set it to stop cleanly */
     void (*progress)(void *context, const char *stage, double fraction); /* called often; may be NULL */

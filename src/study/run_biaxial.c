@@ -285,7 +285,7 @@ static bool prepare(test *t, tr_status *st) {
     bool compacted = t->shearing;
     tr_run_report *report = t->report;
     if (!tr_biaxial_init(&t->b, t->scene, st)) return false;
-    if (t->options->share_few) t->b.world.alone_to = 0;
+    if (!tr_run_share(t->options, &t->b.world, st)) return false;
     bool begun = t->resume.loading;
     if (!compacted && !(resume(t) && pack(t, begun, st))) return false;
     if (!tr_biaxial_begin_shear(&t->b, st)) return false;

@@ -51,7 +51,7 @@ static bool open_plays(show *s, tr_status *st) {
         s->cast.play[i] = tr_alloc(1, sizeof *s->cast.play[i], st);
         if (!s->cast.play[i] || !tr_play_open(s->cast.play[i], scene_of(s, i), s->scene->output.curve, st))
             return false;
-        if (s->options->share_few) s->cast.play[i]->b.world.alone_to = 0;
+        if (!tr_run_share(s->options, &s->cast.play[i]->b.world, st)) return false;
         if (s->cast.play[i]->b.steps > s->cast.play[s->cast.leader]->b.steps) s->cast.leader = i;
     }
     return true;

@@ -44,6 +44,9 @@ void tr_run_remove_checkpoint(const char *dir, tr_run_report *report);
 bool tr_run_open(const tr_scene *scene, const tr_run_options *options, tr_checkpoint *c, tr_run_report *report,
                  tr_status *st);
 
+/* Gives the world its threads. */
+bool tr_run_share(const tr_run_options *options, tr_world *world, tr_status *st);
+
 double tr_run_clock(void); /* wall time [s] */
 
 void tr_run_say(tr_run_report *report, const char *label, const char *format, ...)

@@ -61,7 +61,7 @@ static void moving_crowd(double x0) {
     double v[N][2];
     for (int i = 0; i < N; i++)
         v[i][0] = random_in(&c.random, -0.02, 0.02), v[i][1] = random_in(&c.random, -0.02, 0.02);
-    tr_broad_input in = {N, c.pos, 0.1, NULL, 1};
+    tr_broad_input in = {N, c.pos, 0.1, NULL, NULL};
     void *f[2] = {new_finder(finders[0], &in), new_finder(finders[1], &in)};
     tr_pairs pairs[2] = {{0}, {0}};
     long found = 0;
@@ -103,13 +103,14 @@ static void test_crowds_at_rest(void **state) {
         for (int s = 0; s < 4; s++)
             for (int k = 0; k < 2; k++) {
                 crowd c = new_crowd(120, sides[i], -3, 9 + (uint64_t)i);
-                tr_broad_input in = {c.n, c.pos, skins[s], NULL, 1 + s}; /* threads */
+                tr_broad_input in = {c.n, c.pos, skins[s], NULL, NULL};
                 void *f = new_finder(finders[k], &in);
                 tr_pairs pairs = {0};
                 tr_status st = {0};
+                in.threads = tr_threads_new(1 + s, &st);
                 assert_true(finders[k]->find(f, &in, &pairs, &st));
                 check_pairs(&in, &pairs);
-                finders[k]->destroy(f), tr_pairs_free(&pairs), free(c.pos);
+                finders[k]->destroy(f), tr_pairs_free(&pairs), free(c.pos), tr_threads_free(in.threads);
             }
 }
 
@@ -119,7 +120,7 @@ static void test_small_lengths(void **state) {
     for (int k = 0; k < 2; k++) {
         crowd c = new_crowd(200, 25, 0, 4);
         for (int i = 0; i < 4 * c.n; i++) c.pos[i] *= 1e-3;
-        tr_broad_input in = {c.n, c.pos, 1e-4, NULL, 1};
+        tr_broad_input in = {c.n, c.pos, 1e-4, NULL, NULL};
         void *f = new_finder(finders[k], &in);
         tr_pairs pairs = {0};
         tr_status st = {0};
@@ -136,7 +137,7 @@ static void test_not_finite_is_refused_by_name(void **state) {
         for (int b = 0; b < 3; b++)
             for (int lane = 0; lane < 2; lane++) {
                 crowd c = new_crowd(40, 9, 0, 2);
-                tr_broad_input in = {c.n, c.pos, 0.1, NULL, 1};
+                tr_broad_input in = {c.n, c.pos, 0.1, NULL, NULL};
                 void *f = new_finder(finders[k], &in);
                 tr_pairs pairs = {0};
                 tr_status st = {0};
@@ -155,7 +156,7 @@ static void test_not_finite_is_refused_by_name(void **state) {
     crowd c = new_crowd(40, 9, 0, 2);
     c.pos[4 * 3] = NAN;
     tr_status st = {0};
-    assert_null(tr_broad_box2d.create(&(tr_broad_input){c.n, c.pos, 0.1, NULL, 1}, &st));
+    assert_null(tr_broad_box2d.create(&(tr_broad_input){c.n, c.pos, 0.1, NULL, NULL}, &st));
     assert_non_null(strstr(st.text, "disk 3 "));
     free(c.pos);
 }
@@ -165,7 +166,7 @@ static void test_few_disks(void **state) {
     double pos[8] = {1, 2, 0, 0.5, 1, 2, 0, 0.5}; /* two that coincide */
     for (int k = 0; k < 2; k++)
         for (int n = 0; n <= 2; n++) {
-            tr_broad_input in = {n, pos, 0, NULL, 1};
+            tr_broad_input in = {n, pos, 0, NULL, NULL};
             void *f = new_finder(finders[k], &in);
             tr_pairs pairs = {0};
             tr_status st = {0};
@@ -180,7 +181,7 @@ static void test_coincident_disks(void **state) {
     crowd c = new_crowd(60, 9, 0, 3);
     for (int i = 20; i < 40; i++) c.pos[4 * i] = 4, c.pos[4 * i + 1] = 4;
     for (int k = 0; k < 2; k++) {
-        tr_broad_input in = {c.n, c.pos, 0, NULL, 1};
+        tr_broad_input in = {c.n, c.pos, 0, NULL, NULL};
         void *f = new_finder(finders[k], &in);
         tr_pairs pairs = {0};
         tr_status st = {0};
@@ -226,7 +227,7 @@ static void test_periodic_cells(void **state) {
             if (i % 10 == 5) unit[i][i % 4 == 1] = i % 20 == 5 ? 0.5 : -0.5;
         }
         c.pos[3] = 1; /* the largest in a corner */
-        tr_broad_input in = {N, c.pos, 0, cell, 1};
+        tr_broad_input in = {N, c.pos, 0, cell, NULL};
         void *f = new_finder(finders[k], &in);
         tr_pairs pairs = {0};
         for (int s = 0; s < STEPS; s++) {

@@ -311,7 +311,7 @@ static void replace_finder(tr_world *w, const tr_broad_finder *finder) {
     tr_status st = {0};
     w->broad->destroy(w->finder);
     w->broad = finder;
-    w->finder = finder->create(&(tr_broad_input){w->disks.n, w->disks.pos, w->wide_skin, NULL, 1}, &st);
+    w->finder = finder->create(&(tr_broad_input){w->disks.n, w->disks.pos, w->wide_skin, NULL, NULL}, &st);
     if (!w->finder) fail_msg("%s", st.text);
 }
 

@@ -2,7 +2,6 @@
 /* Threads change no bit: the same world moved by one thread, by two, by three and by a number that changes on the way, as after a
  * restart. Between walls and in a periodic cell, with ledger and arcs. One thread runs another code, which stores nothing: the
  * reference. */
-#include "base/threads.h"
 #include "core/increments.h"
 #include "core/paths.h"
 #include "core/worlds.h"
@@ -12,6 +11,11 @@
  * the next one, and in a cell the first with the last. In 60 steps the fastest disks move 0.2 mm, four times half the thin skin: lists
  * are renewed. */
 enum { ROW = 70, STEPS = 60 };
+
+static void set_threads(tr_world *world, int n) {
+    tr_status st = {0};
+    if (!tr_world_set_threads(world, n, &st)) fail_msg("%s", st.text);
+}
 
 static void move(tr_world *world, bool periodic, int threads, int threads_later) {
     const double pitch = 1.95e-3, side = ROW * pitch;
@@ -33,11 +37,10 @@ static void move(tr_world *world, bool periodic, int threads, int threads_later)
     set_laws(world, laws, TR_SINK_LEDGER | TR_SINK_ARCS);
     world->dt = 1e-6;
     for (int k = 0; k < 2; k++) {
-        tr_threads_set(k ? threads_later : threads);
+        set_threads(world, k ? threads_later : threads);
         steps(world, STEPS / 2);
     }
     forces(world);
-    tr_threads_set(1);
 }
 
 static void assert_same(const tr_world *p, const tr_world *q) {
@@ -67,10 +70,9 @@ static void watch(watched *w, int threads) {
     w->paths = (tr_paths){.all = true};
     tr_paths_attach(&w->world, &w->paths);
     tr_increments_attach(&w->world, &w->increments);
-    tr_threads_set(threads);
+    set_threads(&w->world, threads);
     steps(&w->world, STEPS);
     forces(&w->world);
-    tr_threads_set(1);
 }
 
 static void threads_change_no_sum(void **state) {
@@ -120,9 +122,8 @@ static void threads_forget_other_laws(void **state) {
         move(&world[k], false, k + 1, k + 1);
         for (int law = 0; law < 2; law++) {
             set_laws(&world[k], law ? frictionless : slides, 0);
-            tr_threads_set(k + 1);
+            set_threads(&world[k], k + 1);
             steps(&world[k], STEPS / 2);
-            tr_threads_set(1);
         }
     }
     assert_same_bits(&world[0], &world[1]);
@@ -142,9 +143,8 @@ static void first_failure_is_named(void **state) {
             p[0] = p[4], p[1] = p[5] + 0.1e-3;
         }
         world.stale = true;
-        tr_threads_set(threads);
+        set_threads(&world, threads);
         assert_false(tr_step_forces(&world, &st));
-        tr_threads_set(1);
         snprintf(said[threads - 1], sizeof *said, "%s", st.text);
         tr_world_free(&world);
     }

@@ -45,12 +45,12 @@ static void work(const job *j) {
     const volatile sig_atomic_t *stop = tr_cli_stop();
     alarm(LIMIT);
     if (chdir(j->home) || !freopen("/dev/null", "w", stdout)) exit(99);
-    tr_threads_set(j->threads);
     if (tr_scene_read_file(&scene, j->scene, NULL, 0, tr_laws_catalog(), &st)) {
         tr_run_options o = {.dir = "out",
                             .title = "random",
                             .resume = j->resume,
                             .checkpoint = j->checkpoint,
+                            .threads = j->threads,
                             .share_few = true,
                             .stop = stop};
         tr_run(&scene, &o, &report, &st);
@@ -228,8 +228,6 @@ static void judge_one(const char *dir, const char *name, uint64_t seed, const ch
 
 int main(int argc, char **argv) {
     char dir[MOST_PATH / 2];
-    /* Threads that wait let others work: there are more of them than processors. It is read when a program starts. */
-    if (!getenv("OMP_WAIT_POLICY") && !setenv("OMP_WAIT_POLICY", "passive", 1)) execv("/proc/self/exe", argv);
     counts = mmap(NULL, sizeof *counts, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (argc < 3 || counts == MAP_FAILED) return fprintf(stderr, "usage: random DIR N SEED | random DIR FILE...\n"), 2;
     mkdir(argv[1], 0777);

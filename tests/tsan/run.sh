@@ -5,7 +5,6 @@
 # usage: tests/tsan/run.sh TRUNDLE TRUNDLE-OF-THE-SANITIZER
 set -eu
 plain=$(realpath "$1") trundle=$(realpath "$2")
-here=$(realpath "$(dirname "$0")")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cat >"$work/case.yaml" <<'CASE'
@@ -17,11 +16,8 @@ compaction: {pressure: 160 kPa, inertial_number: 0.05, unbalanced: 0.1}
 shear: {inertial_number: 0.01, strain_end: 0.01}
 output: {frames: 6, rows: 4, contacts: 1, curves: no}
 CASE
-export OMP_WAIT_POLICY=passive
 "$plain" run "$work/case.yaml" -o "$work/plain" --sample "$work/sample.bin" --threads 2 >/dev/null 2>&1
 
-# OpenMP tells ThreadSanitizer of its barriers by the tool libarcher, which comes with it.
-export TSAN_OPTIONS="suppressions=$here/libraries.supp:ignore_noninstrumented_modules=1"
 code=0
 "$trundle" run "$work/case.yaml" -o "$work/run" --sample "$work/sample.bin" --threads 2 >"$work/said" 2>&1 || code=$?
 [ $code -eq 0 ] || { cat "$work/said"; exit $code; }
