@@ -27,7 +27,7 @@ LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o)
 CLI_OBJ  := $(CLI_SRC:%=$(BUILD)/%.o)
 TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all biaxial definitions figures wang kuhn kuhn-film bands replay spread features bench bench-peers demos gallery verify test mutate faults random test-slurm install asan tsan fuzz lint format clean help packages-% build-all build-faults build-random run-demos run-tests
+.PHONY: all biaxial definitions figures wang kuhn kuhn-film bands replay spread features bench bench-peers demos gallery verify test mutate faults random test-slurm install asan tsan fuzz lint format clean help packages-% build-all build-faults build-random run-demos run-tests run-tsan
 .SECONDARY:
 
 all: packages-build
@@ -157,8 +157,7 @@ asan: packages-test
 # Races of threads, told by clang's sanitizer.
 tsan: packages-tsan
 	@$(MAKE) --no-print-directory build-all
-	@$(MAKE) --no-print-directory build/tsan/trundle BUILD=build/tsan CC=clang CXX=clang++ CFLAGS='-O1 -g -fsanitize=thread'
-	@tests/tsan/run.sh $(TRUNDLE) build/tsan/trundle
+	@$(MAKE) --no-print-directory run-tsan BUILD=build/tsan PLAIN=$(TRUNDLE) CC=clang CXX=clang++ CFLAGS='-O1 -g -fsanitize=thread'
 
 # Each reader is fed with what libFuzzer makes of the inputs in tests/fuzz/corpus, for so many seconds.
 SECONDS ?= 60
@@ -206,7 +205,7 @@ help:
 	@echo 'make           install what is missing, build ./trundle'
 	@echo 'make install   PREFIX=$(PREFIX) DESTDIR=$(DESTDIR): trundle and the cases'
 	@echo 'make asan      the tests under the address and undefined-behaviour sanitizers of gcc, and of clang where it is installed'
-	@echo 'make tsan      a run by two threads, with frames, under the thread sanitizer (clang)'
+	@echo 'make tsan      tests of the threads, and runs by 2 and 3 of them with frames, under the thread sanitizer (clang)'
 	@echo 'make fuzz      hostile input for every reader, by libFuzzer (clang): SECONDS=60 for each; what it finds is kept in build/fuzz/found/'
 	@echo 'make lint      clang-tidy and cppcheck'
 	@echo 'make format    clang-format on all sources'
@@ -249,6 +248,9 @@ $(BUILD)/tests/%: $(BUILD)/tests/%.c.o $(BUILD)/libtrundle.a
 # This test counts allocations.
 $(BUILD)/tests/core/test_allocation: LDFLAGS += -Wl,--wrap=malloc,--wrap=aligned_alloc,--wrap=calloc,--wrap=realloc
 
+# In this one no thread is to be had.
+$(BUILD)/tests/base/test_threads_run: LDFLAGS += -Wl,--wrap=pthread_create
+
 # In this one calls fail.
 $(BUILD)/tests/base/test_checkpoint: LDFLAGS += -Wl,--wrap=openat,--wrap=write,--wrap=fsync,--wrap=close,--wrap=renameat,--wrap=unlinkat
 
@@ -274,6 +276,12 @@ $(BUILD)/tests/fuzz/replay_%: $(BUILD)/tests/fuzz/fuzz_%.c.o $(BUILD)/tests/fuzz
 	$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
 $(BUILD)/fuzz_%: $(BUILD)/tests/fuzz/fuzz_%.c.o $(BUILD)/libtrundle.a
 	$(CXX) $(CFLAGS) -fsanitize=fuzzer $(LDFLAGS) -o $@ $^ $(LIBS)
+# Threads alone, and the sharing of few and many disks by 2 and 3 of them; then whole runs.
+TSAN := $(BUILD)/tests/base/test_threads_run $(BUILD)/tests/core/test_threads
+run-tsan: $(BUILD)/trundle $(TSAN)
+	@for test in $(TSAN); do $$test || exit 1; done
+	@tests/tsan/run.sh $(PLAIN) $(BUILD)/trundle
+
 run-fuzz: $(FUZZ:%=$(BUILD)/fuzz_%)
 	@tests/fuzz/run.sh $(BUILD) $(SECONDS) $(FUZZ)
 

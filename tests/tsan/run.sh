@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# A run by two threads of more than 4000 disks, where they share the work, with frames, under ThreadSanitizer. A race ends it with
+# Runs by two and three threads of more than 4000 disks, where they share the work, with frames, under ThreadSanitizer. A race ends one with
 # code 66 and is printed. The packing is made by the plain program: it takes ten times as long under the sanitizer.
 # usage: tests/tsan/run.sh TRUNDLE TRUNDLE-OF-THE-SANITIZER
 set -eu
@@ -18,8 +18,10 @@ output: {frames: 6, rows: 4, contacts: 1, curves: no}
 CASE
 "$plain" run "$work/case.yaml" -o "$work/plain" --sample "$work/sample.bin" --threads 2 >/dev/null 2>&1
 
-code=0
-"$trundle" run "$work/case.yaml" -o "$work/run" --sample "$work/sample.bin" --threads 2 >"$work/said" 2>&1 || code=$?
-[ $code -eq 0 ] || { cat "$work/said"; exit $code; }
-cmp "$work/plain/history.csv" "$work/run/history.csv"
-echo "no race: 4100 disks, 2 threads, 6 frames; the rows are those of the plain program"
+for threads in 2 3; do
+    code=0
+    "$trundle" run "$work/case.yaml" -o "$work/$threads" --sample "$work/sample.bin" --threads $threads >"$work/said" 2>&1 || code=$?
+    [ $code -eq 0 ] || { cat "$work/said"; exit $code; }
+    cmp "$work/plain/history.csv" "$work/$threads/history.csv"
+    echo "no race: 4100 disks, $threads threads, 6 frames; the rows are those of the plain program"
+done
