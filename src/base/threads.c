@@ -11,8 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Looks at a number before a thread sleeps: 10 to 50 us. To wake a sleeping thread takes as long. */
-enum { LOOKS = 1000, CACHE_LINE = 64 };
+/* Looks at a number before a thread sleeps: about 100 us. To wake a sleeping thread takes as long. */
+enum { LOOKS = 4000, CACHE_LINE = 64 };
 
 typedef struct member {
     _Alignas(CACHE_LINE) _Atomic uint64_t taken; /* number of the last run in which its share was taken */
