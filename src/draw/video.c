@@ -168,7 +168,7 @@ static bool run_gif(const char *film, const char *part, int log, int frames_per_
     const char *args[] = {"ffmpeg",  "-nostdin",        "-loglevel", "error", "-i", from,       "-i",
                           from,      "-filter_complex", filter,      "-loop", "0",  "-flags:v", "+bitexact",
                           "-fflags", "+bitexact",       "-f",        "gif",   "-y", to,         NULL};
-    pid_t pid;
+    pid_t pid = -1;
     bool ok = from && to && spawn(&pid, args, part, -1, log, st) && succeeds(pid, log, said, size);
     free(from);
     free(to);
