@@ -188,6 +188,16 @@ bool tr_resolution_biaxial(const tr_biaxial *b, tr_resolution *found) {
     return found->spacing > TR_RESOLVED * found->size;
 }
 
+double tr_resolution_force(const tr_bodies *b, int a, int disk) {
+    const run r = run_of(b, false);
+    const pair p = pair_of(&r, a, disk);
+    const tr_slot *normal = &b->world.group[a < 0].slot[TR_NORMAL];
+    double weight, energy;
+    bool meet = loads(&r, &p, &weight, &energy), known = p.gap < -4 * spacing(p.reach) || weight > 0 || energy > 0;
+    if (!meet || !known) return 0;
+    return normal->law->elastic(normal->par, p.R1, p.R2, expected(b, &p, weight, energy)).force;
+}
+
 bool tr_resolution_check(const tr_bodies *b, tr_status *st) {
     const tr_world *w = &b->world;
     const run start = run_of(b, true);

@@ -33,6 +33,9 @@ bool tr_resolution_way(const tr_bodies *b, tr_resolution *worst);
 /* Of a biaxial test: the overlap of two mean disks under the smaller pressure, in a box as large as it was thrown. */
 bool tr_resolution_biaxial(const tr_biaxial *b, tr_resolution *found);
 
+/* The force of the overlap to expect of a pair [N/m], spheres [N]; 0: nothing tells it, or they do not meet. */
+double tr_resolution_force(const tr_bodies *b, int a, int disk);
+
 /* TR_BAD_CASE: at the start already, two bodies are so far out that the largest overlap a contact may have is not
  * carried to 1 %. */
 bool tr_resolution_check(const tr_bodies *b, tr_status *st);

@@ -66,7 +66,7 @@ static char *check(const tr_scene *scene, tr_run_report *report, tr_status *st) 
         return tr_run_check_bodies(scene, report, st);
     case TR_KIND_CONTACT:
     case TR_KIND_PATCH:
-        return tr_run_check_path(scene, st);
+        return tr_run_check_path(scene, report, st);
     }
     return NULL;
 }

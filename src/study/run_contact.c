@@ -7,6 +7,7 @@
 #include "study/contact.h"
 #include "study/path.h"
 #include "study/run_internal.h"
+#include "study/warn.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -183,11 +184,12 @@ bool tr_run_contact(const tr_scene *scene, const tr_run_options *options, tr_run
     return ok;
 }
 
-char *tr_run_check_path(const tr_scene *scene, tr_status *st) {
+char *tr_run_check_path(const tr_scene *scene, tr_run_report *report, tr_status *st) {
     tr_scene played;
     drive d = {.scene = scene};
     const tr_patch_result patch = {.solver = ""};
     if (!tr_run_with_path(scene, &played, st)) return NULL;
+    if (scene->kind == TR_KIND_CONTACT) tr_warn_contact(&played, report);
     tr_run_drop_path(&played);
     if (scene->kind == TR_KIND_PATCH) return tr_summary_patch(scene, 0, &patch, &(tr_timing){0}, st);
     name_laws(&d);

@@ -21,7 +21,8 @@ bool tr_run_patch(const tr_scene *scene, const tr_run_options *options, tr_run_r
 /* What tr_run_check finds: NULL, or else the summary to come. */
 char *tr_run_check_biaxial(const tr_scene *scene, tr_run_report *report, tr_status *st);
 char *tr_run_check_bodies(const tr_scene *scene, tr_run_report *report, tr_status *st);
-char *tr_run_check_path(const tr_scene *scene, tr_status *st); /* reads the path of a file */
+/* Reads the path of a file. */
+char *tr_run_check_path(const tr_scene *scene, tr_run_report *report, tr_status *st);
 
 /* The scene with its path from the file, if it is in one. Free with tr_run_drop_path. */
 bool tr_run_with_path(const tr_scene *scene, tr_scene *played, tr_status *st);

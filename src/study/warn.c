@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "study/warn.h"
 
+#include "core/fit.h"
 #include "core/resolution.h"
 #include "core/tangent.h"
 #include "study/run_internal.h"
@@ -54,11 +55,30 @@ static void warn_resolution(const tr_bodies *b, const char *of, tr_run_report *r
     }
 }
 
+/* of, more: in front and behind, or "". where: of the force, and "" or the disks. */
+static void warn_fit(const tr_fit *f, const char *of, const char *where, const char *more, tr_run_report *report) {
+    tr_run_note(report,
+                "%s%s = %.4g Pa does not fit E_star and depth%s: the exact line contact has pi E_star/(2 ln(2d/a)) = "
+                "%.4g Pa with d = %.3g m under %.3g N/m. Give %s: %.4g Pa, or change E_star%s",
+                of, f->key, f->k, where, f->fits, f->d, f->P, f->key, f->fits, more);
+}
+
+static void warn_fit_bodies(const tr_bodies *b, const char *of, tr_run_report *report) {
+    tr_fit f;
+    char names[NAMES], where[NAMES + 8], more[60] = "";
+    if (!tr_fit_bodies(b, &f)) return;
+    name_pair(f.a, f.b, names);
+    snprintf(where, sizeof where, " of %s", names);
+    if (f.more) snprintf(more, sizeof more, "; nor does that of %d more pair%s", f.more, f.more > 1 ? "s" : "");
+    warn_fit(&f, of, where, more, report);
+}
+
 void tr_warn_bodies(const tr_bodies *b, const char *label, tr_run_report *report) {
     char of[64] = "";
     if (*label) snprintf(of, sizeof of, "%s: ", label);
     warn_tangent(b, of, report);
     warn_resolution(b, of, report);
+    warn_fit_bodies(b, of, report);
 }
 
 void tr_warn_biaxial(const tr_biaxial *b, tr_run_report *report) {
@@ -69,4 +89,47 @@ void tr_warn_biaxial(const tr_biaxial *b, tr_run_report *report) {
             "contacts are too stiff for the pressure: numbers across the sample, %.2g m, are %.2g m apart, and a "
             "mean overlap of %.2g m is made of them: it may be off by %.2g of itself",
             r.reach, r.spacing, r.size, r.spacing / r.size);
+    tr_fit f;
+    if (tr_fit_biaxial(b, &f)) warn_fit(&f, "", " at the mean force to expect in the shear", "", report);
+}
+
+/* Over the steps in which there is a contact; 0: in none. */
+static double mean_force(const tr_scene *played, const tr_scene_law *normal) {
+    const tr_law *law = tr_laws_normal[normal->law];
+    const tr_scene_pair *pair = &played->pair;
+    double sum = 0, steps = 0, before = NAN;
+    for (int i = 0; i < played->n_segments; i++) {
+        const tr_scene_segment *g = &played->path[i];
+        double P = isnan(g->force) ? law->elastic(normal->par, pair->R1, pair->R2, fmax(g->overlap, 0)).force
+                                   : g->force;
+        double mean = isnan(before) ? P : 0.5 * (before + P);
+        if (mean > 0) sum += g->steps * mean, steps += g->steps;
+        before = P;
+    }
+    return steps > 0 ? sum / steps : 0;
+}
+
+/* As it was given, or by Lambda at the force of the first segment; 0: none is. */
+static double depth_of(const tr_scene *played) {
+    const tr_scene_pair *pair = &played->pair;
+    if (!isnan(pair->depth)) return pair->depth;
+    double a = tr_law_width(TR_SHAPE_DISK, played->path[0].force, pair->R_star, pair->E_star);
+    return isnan(a * pair->Lambda) ? 0 : 0.5 * a * exp(pair->Lambda);
+}
+
+void tr_warn_contact(const tr_scene *played, tr_run_report *report) {
+    const tr_scene_pair *pair = &played->pair;
+    tr_fit first, now;
+    int n = 0, which = 0;
+    for (int i = 0; played->shape == TR_SHAPE_DISK && i < played->n_laws; i++) {
+        const tr_scene_contact *laws = &played->laws[i];
+        double P = mean_force(played, &laws->normal);
+        if (!tr_fit_contact(laws, pair->R1, pair->R2, pair->E_star, depth_of(played), P, &now)) continue;
+        if (n++ == 0) first = now, which = i;
+    }
+    if (!n) return;
+    char of[32], more[60] = "";
+    snprintf(of, sizeof of, "laws.%d: ", which);
+    if (n > 1) snprintf(more, sizeof more, "; nor does that of %d more law%s", n - 1, n > 2 ? "s" : "");
+    warn_fit(&first, of, " at the mean force of the path", more, report);
 }

@@ -10,5 +10,6 @@
 /* Of a world that was just set up. label: of the scene, where there are several; else empty. */
 void tr_warn_bodies(const tr_bodies *b, const char *label, tr_run_report *report);
 void tr_warn_biaxial(const tr_biaxial *b, tr_run_report *report);
+void tr_warn_contact(const tr_scene *played, tr_run_report *report); /* with its path */
 
 #endif
