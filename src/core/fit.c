@@ -9,7 +9,8 @@ static double misfit(const tr_fit *fit) {
     return fabs(log(fit->k / fit->fits));
 }
 
-bool tr_fit_contact(const tr_scene_contact *laws, double R1, double R2, double E_star, double d, double P, tr_fit *fit) {
+bool tr_fit_contact(const tr_scene_contact *laws, double R1, double R2, double E_star, double d, double P,
+                    tr_fit *fit) {
     const tr_law *normal = tr_laws_normal[laws->normal.law], *friction = tr_laws_friction[laws->friction.law];
     const double *of_normal = laws->normal.par, *of_friction = laws->friction.par,
                  *k_t = tr_law_value(friction, of_friction, "k_t"), *k_n = tr_law_value(normal, of_normal, "k_n"),
