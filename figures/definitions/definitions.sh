@@ -42,7 +42,7 @@ CASE
 "$trundle" sweep "$out/strength.yaml" -o "$out/strength" >"$out/said" 2>&1 || { cat "$out/said" >&2; exit 1; }
 awk -f "$here/strength.awk" "$out/strength/collect.csv" >"$out/strength.csv"
 
-pictures=yes
+rm -f "$out"/*.png
 if command -v gnuplot >/dev/null; then
     terminal='set terminal pngcairo size 1350,1080 font "DejaVu Sans,20" enhanced rounded linewidth 1.5'
     gnuplot -d -e "csv = '$out/motions.csv'; set output '$out/motions.png'; $terminal" "$here/../definitions.gp"
@@ -50,9 +50,8 @@ if command -v gnuplot >/dev/null; then
     gnuplot -d -e "csv = '$out/strength/collect.csv'; table = '$out/strength.csv'; names = '$names'; set output '$out/strength.png'" \
         -e "set terminal pngcairo size 1350,700 font 'DejaVu Sans,18' enhanced rounded linewidth 1.5" "$here/look.gp" "$here/strength.gp"
 else
-    pictures=no
     echo 'no pictures: gnuplot is not installed' >&2
 fi
-"$here/page.sh" "$out" "$seeds" "$pictures" "$("$trundle" --version)" "$names" >"$out/index.html.part"
+"$here/page.sh" "$out" "$seeds" "$("$trundle" --version)" "$names" >"$out/index.html.part"
 mv "$out/index.html.part" "$out/index.html"
 rm "$out/said"

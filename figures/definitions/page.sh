@@ -1,30 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # The page of the comparison, from the tables in DIR. It is XML too.
-# usage: page.sh DIR SEEDS PICTURES(yes|no) VERSION NAMES
+# usage: page.sh DIR SEEDS VERSION NAMES
 set -eu
-out=$1 seeds=$2 pictures=$3 version=$4 names=$5
+out=$1 seeds=$2 version=$3 names=$4
 here=$(cd "$(dirname "$0")" && pwd)
 
-table() { # FILE CAPTION: a CSV as a table
-    awk -F, -v caption="$2" '
-        function cells(tag, scope,   i) { for (i = 1; i <= NF; i++) printf "<%s>%s</%s>", i == 1 ? tag scope : tag, $i, tag }
-        { gsub(/&/, "\\&amp;"); gsub(/</, "\\&lt;"); $0 = $0 }
-        NR == 1 {
-            printf "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"%s\"><table>\n<caption>%s</caption>\n<thead><tr>", caption, caption
-            for (i = 1; i <= NF; i++) printf "<th scope=\"col\">%s</th>", $i
-            print "</tr></thead>\n<tbody>"; next
-        }
-        {
-            printf "<tr><th scope=\"row\">%s</th>", $1 == last ? "" : $1; last = $1
-            for (i = 2; i <= NF; i++) printf "<td>%s</td>", $i
-            print "</tr>"
-        }
-        END { print "</tbody></table></div>" }' "$out/$1"
-}
-picture() { # FILE WORDS
-    if [ "$pictures" = yes ]; then echo "<img class=\"picture\" src=\"$1\" alt=\"$2\"/>"; else echo '<p>No picture: gnuplot is not installed.</p>'; fi
-}
+# shellcheck source=figures/tables.sh
+. "$here/../tables.sh"
 detectable() { awk -F, -v what="$1" '$1 == what && $6 != "" {print $6; exit}' "$out/strength.csv"; }
 
 cat <<HTML

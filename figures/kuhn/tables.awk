@@ -30,11 +30,6 @@ FNR == 2 {
 }
 function block(run, name, b) { return sum[run, name, b]/count[run, name, b] }
 function of(run, name) { return at_23[run, name] ? mean_23[run, name]/at_23[run, name] : "" }
-function student(f,   x) { # 0.975 quantile: tables, then Abramowitz & Stegun 26.7.5
-    if (f < 4) return f == 1 ? 12.7062 : f == 2 ? 4.30265 : 3.18245
-    x = 1.959964
-    return x + (x^3 + x)/(4*f) + (5*x^5 + 16*x^3 + 3*x)/(96*f^2) + (3*x^7 + 19*x^5 + 17*x^3 - 15*x)/(384*f^3)
-}
 # how: "-" or "/" of two runs, "" of p alone
 function judge(claim, p, q, name, how, from, to,   b, n, last, d, total, squares, mean, half, verdict) {
     if (!(p in known) || (how != "" && !(q in known))) return
@@ -49,7 +44,7 @@ function judge(claim, p, q, name, how, from, to,   b, n, last, d, total, squares
     if (n < 2) return
     mean = total/n
     for (b = 1; b <= n; b++) squares += (d[b] - mean)^2
-    half = student(n - 1)*sqrt(squares/(n - 1)/n)
+    half = student(0.05, n - 1)*sqrt(squares/(n - 1)/n)
     verdict = mean - half >= from && mean + half <= to ? "holds" : mean + half < from || mean - half > to ? "fails" : "undecided"
     printf "%s,%s%s,%s,%.4g,%.4g,%.4g,%g,%g,%d,%s\n", claim, p, how == "" ? "" : " " how " " q, name, mean, mean - half, mean + half,
         from, to, n, verdict

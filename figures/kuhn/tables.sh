@@ -5,7 +5,7 @@ set -eu
 export LC_ALL=C
 out=$1
 here=$(cd "$(dirname "$0")" && pwd)
-awk -F, -v tables="$out/tables.csv" -f "$here/tables.awk" "$out"/*/history.csv >"$out/verdicts.csv"
+awk -F, -v tables="$out/tables.csv" -f "$here/../student.awk" -f "$here/tables.awk" "$out"/*/history.csv >"$out/verdicts.csv"
 column -s, -t "$out/verdicts.csv" 2>/dev/null || cat "$out/verdicts.csv"
 command -v gnuplot >/dev/null || { echo "no picture: gnuplot is not installed; the numbers are in $out" >&2; exit 0; }
 # As the resolved case has it; a run that stopped early has no summary.

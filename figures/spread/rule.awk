@@ -2,7 +2,7 @@
 # Does value +- t s of one sample cover the mean of the population as often as it says? The rule, written before the
 # runs.
 #
-#     awk -F, -f rule.awk rows.csv points.csv
+#     awk -F, -f ../student.awk -f rule.awk rows.csv points.csv
 #
 # rows.csv: the table that is shipped (s of each case from `seeds` seeds); points.csv: fresh seeds of some of these
 # cases. For each case and quantity: the mean m of all n fresh samples stands for that of the population, and K of them
@@ -19,19 +19,6 @@ function phi2(z) { # P(|Z| < z), by the series of the error function: all terms 
     term = z; total = z
     for (k = 1; term > 1e-17 * total; k++) { term *= z * z / (2 * k + 1); total += term }
     return 2 * total * exp(-z * z / 2) / sqrt(2 * pi)
-}
-function student(nu,  low, high, mid, i) { # P(|T| > t) = 0.05
-    low = 0; high = pi / 2
-    for (i = 0; i < 60; i++) {
-        mid = (low + high) / 2
-        if (within(mid, nu) < 0.95) low = mid; else high = mid
-    }
-    return sqrt(nu) * sin(low) / cos(low)
-}
-function within(theta, nu,  c, term, sum, k) { # Abramowitz 26.7.3, 26.7.4
-    c = cos(theta); term = nu % 2 ? c : 1; sum = nu == 1 ? 0 : term
-    for (k = nu % 2 ? 3 : 2; k <= nu - 2; k += 2) { term *= c * c * (k - 1) / k; sum += term }
-    return nu % 2 ? 2 / pi * (theta + sin(theta) * sum) : sin(theta) * sum
 }
 # P(K = j), j = 0 ... n, in chance[]: binomial over X, by the midpoint rule in y = sqrt(X), whose density is y^(nu-1)
 # exp(-nu y^2/2)
@@ -73,7 +60,7 @@ END {
     split("peak residual", quantity, " ")
     print "N,mu_r,friction,I,quantity,s_of_table,s_of_fresh,covered,of,share,least,most,verdict"
     for (c = 1; c <= cases; c++) for (q = 1; q <= 2; q++) {
-        key = order[c]; n = fresh[key]; t = student(freedom[key]); sum = square = covered = 0
+        key = order[c]; n = fresh[key]; t = student(0.05, freedom[key]); sum = square = covered = 0
         for (i = 1; i <= n; i++) sum += x[key, quantity[q], i]
         for (i = 1; i <= n; i++) {
             off = (x[key, quantity[q], i] - sum / n) / sqrt(1 - 1 / n)

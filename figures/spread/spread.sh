@@ -41,7 +41,7 @@ awk -F, -f "$here/rows.awk" "$out/n100/points.csv" "$out/n400/points.csv" "$out/
 awk -F, -f "$here/step.awk" "$out/n400/points.csv" "$out/half-step/points.csv" >"$out/step.csv"
 awk -F, -f "$here/table.awk" "$out/step.csv" "$out/rows.csv" >"$out/rows.c"
 cat "$out/rows.c"
-awk -F, -f "$here/rule.awk" "$out/rows.csv" "$out/fresh/points.csv" >"$out/coverage.csv" || {
+awk -F, -f "$here/../student.awk" -f "$here/rule.awk" "$out/rows.csv" "$out/fresh/points.csv" >"$out/coverage.csv" || {
     cat "$out/coverage.csv"
     exit 1
 }

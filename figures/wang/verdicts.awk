@@ -20,19 +20,13 @@ NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i; next }
     e[v, m, s] = $column["e_residual"]; e0[s] = $column["e0"]
     opposed[v, m, s] = $column["opposed_fraction_residual"]
 }
-# 0.975 quantile of Student's t: from tables below 4 degrees of freedom, else Abramowitz & Stegun 26.7.5, to 0.001
-function student(f,   x) {
-    if (f < 4) return f == 1 ? 12.7062 : f == 2 ? 4.30265 : 3.18245
-    x = 1.959964
-    return x + (x^3 + x)/(4*f) + (5*x^5 + 16*x^3 + 3*x)/(96*f^2) + (3*x^7 + 19*x^5 + 17*x^3 - 15*x)/(384*f^3)
-}
 # d[1 ... n]: a number of each seed
 function judge(claim, model, from, to,   i, n, sum, squares, mean, half, verdict, more, edge) {
     n = n_seeds
     for (i = 1; i <= n; i++) sum += d[i]
     mean = sum/n
     for (i = 1; i <= n; i++) squares += (d[i] - mean)^2
-    half = n > 1 ? student(n - 1)*sqrt(squares/(n - 1)/n) : 1e9
+    half = n > 1 ? student(0.05, n - 1)*sqrt(squares/(n - 1)/n) : 1e9
     verdict = mean - half >= from && mean + half <= to ? "holds" : mean + half < from || mean - half > to ? "fails" : "undecided"
     more = ""
     if (verdict == "undecided") { # distance to the edge that is next

@@ -88,7 +88,7 @@ if [ "$seeds" -ge 16 ]; then
     { echo "changed,value,$columns" && rows independence "$independence"; } >"$out/independence.csv"
     figures="$figures unstated independence"
 fi
-awk -F, -f "$here/verdicts.awk" "$out/strength/points.csv" >"$out/verdicts.csv"
+awk -F, -f "$here/../student.awk" -f "$here/../student.awk" -f "$here/verdicts.awk" "$out/strength/points.csv" >"$out/verdicts.csv"
 
 fact() { sed -n "s/.*\"$1\": \"*\([^\",]*\).*/\1/p" "$out/strength/mu_r=0,rolling_velocity=wang,seed=1/summary.json"; }
 facts="$(fact n_disks) disks, I = $(fact inertial_number), κ = $(fact stiffness_ratio | sed 's/\.0$//'), trundle $(fact version)"

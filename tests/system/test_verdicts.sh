@@ -4,7 +4,7 @@
 set -u
 # shellcheck source=tests/system/tap.sh
 . "$(dirname "$0")/tap.sh"
-here=$PWD/figures/wang
+here=$PWD/figures/wang student=$PWD/figures/student.awk
 check 'the sweep of the figures: 12 coefficients, 4 models, 32 seeds' \
     equals "$("$TRUNDLE" sweep "$here/strength.yaml" --list | wc -l)" 1536
 cd "$work" || exit 1
@@ -25,7 +25,7 @@ points() { # D W E: points.csv, where void ratios of others are E times those of
 }
 # verdict CLAIM MODEL: number, interval, seeds, verdict, seeds to decide
 verdict() { awk -F, -v c="$1" -v m="$2" 'index($1, c) && $2 == m {print $3, $4, $5, $8, $9, $10}' verdicts.csv; }
-judge() { points "$@" >points.csv && awk -F, -f "$here/verdicts.awk" points.csv >verdicts.csv; }
+judge() { points "$@" >points.csv && awk -F, -f "$student" -f "$here/verdicts.awk" points.csv >verdicts.csv; }
 claims() { awk -F, 'NR > 1 {n[$9]++} END {print n["holds"] + 0, n["fails"] + 0, n["undecided"] + 0}' verdicts.csv; }
 
 judge -0.01 0.002 0.96
@@ -51,7 +51,7 @@ check 'each claim has one verdict' equals "$(claims)" '18 10 0'
 # Two seeds more, with other numbers: one has an empty cell, one lacks a point.
 cp verdicts.csv five.csv
 awk -F, -v OFS=, '{ print } $3 == 5 { $4 += 0.1; $3 = 6; if ($1 == 1 && $2 == "wang") $5 = ""; print; $3 = 7; if ($1 != 2) print }' points.csv >seven.csv
-awk -F, -f "$here/verdicts.awk" seven.csv >verdicts.csv
+awk -F, -f "$student" -f "$here/verdicts.awk" seven.csv >verdicts.csv
 check 'a seed that lacks a number or a point is left out' cmp verdicts.csv five.csv
 
 # Kuhn's assemblies: rows of 0.1 % strain up to 30 %, so four blocks from 10 % on. Of the small contacts rolling is twice that of the large
@@ -70,10 +70,10 @@ rows disks-large-cattaneo-mindlin 3 0 0.3
 rows disks-small-cattaneo-mindlin 6 0.3 0.3
 rows disks-large-kuhn-creep 3 0 0.325
 rows disks-small-kuhn-creep 6 0 0.31
-awk -F, -v tables=tables.csv -f "$kuhn" ./*/history.csv >verdicts.csv
+awk -F, -v tables=tables.csv -f "$student" -f "$kuhn" ./*/history.csv >verdicts.csv
 # 22 % strain is in a block and in the rows of the table
 sed -i 's/^\(0.22,.*\),[^,]*,\([^,]*\)$/\1,,\2/' disks-large-*/history.csv
-awk -F, -v tables=holes.csv -f "$kuhn" ./*/history.csv >holes-verdicts.csv
+awk -F, -v tables=holes.csv -f "$student" -f "$kuhn" ./*/history.csv >holes-verdicts.csv
 holes() { grep -q '^0.22,.*,,0.1$' disks-large-kuhn-creep/history.csv && cmp holes.csv tables.csv && cmp holes-verdicts.csv verdicts.csv; }
 check 'an empty cell is no 0' holes
 kuhn_says() { awk -F, -v c="$1" -v r="$2" 'index($1, c) && index($2, r) {print $4, $5, $6, $9, $10}' verdicts.csv; }

@@ -1,0 +1,44 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Kuhn's two kinds of rolling resistance in the biaxial test: a contact moment (Wang's), and creep (Dahlberg and Alfredsson's friction
+# with Carter's creepage). Each off and on, the creep by both meanings of rolling. Tables, pictures, a film, one page.
+#
+#     figures/creep/creep.sh TRUNDLE DIR [SEEDS [CASE]]
+#
+# SEEDS: 24 by default, at least 2. CASE: cases/biaxial-creep.yaml by default. Goes on with what is there. The rule of the verdicts is in
+# effects.awk, and was written before the runs.
+set -eu
+export LC_ALL=C
+trundle=$1 out=$2 seeds=${3:-24}
+here=$(cd "$(dirname "$0")" && pwd)
+film=$(realpath "${4:-$here/../../cases/biaxial-creep.yaml}")
+mkdir -p "$out"
+
+# sweep NAME: one packing a seed for all its points
+sweep() {
+    {
+        printf 'kind: sweep\nbase: %s\nseeds: 1-%d\n' "$base" "$seeds"
+        cat
+        echo 'set: {output.frames: 0, output.curves: no, output.energy: no, output.rows: 201, step.safety: 0.8}'
+        echo 'collect: [sin_phi_peak, sin_phi_residual, e0, e_residual, rolling_share_residual]'
+    } >"$out/$1.yaml"
+    "$trundle" sweep "$out/$1.yaml" -o "$out/$1" >"$out/said" 2>&1 || { cat "$out/said" >&2; exit 1; }
+}
+# The contact that the case follows is for its film alone.
+awk '/^ *paths:/ {inside = 1; next} inside && /^ *#/ {next} {inside = 0; print}' "$film" >"$out/case.yaml"
+base=$(realpath "$out/case.yaml")
+sweep laws <<'CASE'
+vary: {contact.mu_r: [0, 0.5], contact.friction: [coulomb-spring, dahlberg-alfredsson]}
+CASE
+sweep kuhn <<'CASE'
+vary: {contact.mu_r: [0, 0.5], contact.creep_roll: [kuhn]}
+CASE
+awk -f "$here/../student.awk" -f "$here/effects.awk" "$out/laws/points.csv" "$out/kuhn/points.csv" >"$out/effects.csv"
+for run in 'spring|laws|coulomb-spring' 'creep|laws|dahlberg-alfredsson' 'kuhn|kuhn|kuhn'; do
+    IFS='|' read -r name sweep value <<NAMES
+$run
+NAMES
+    for mu_r in 0 0.5; do
+        awk -f "$here/../student.awk" -f "$here/curve.awk" -v mu_r="$mu_r" -v friction="$name" "$out/$sweep/mu_r=$mu_r,"*"=$value,seed="*/history.csv
+    done
+done >"$out/curves.csv"
