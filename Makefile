@@ -251,6 +251,9 @@ $(BUILD)/tests/core/test_allocation: LDFLAGS += -Wl,--wrap=malloc,--wrap=aligned
 # In this one no thread is to be had.
 $(BUILD)/tests/base/test_threads_run: LDFLAGS += -Wl,--wrap=pthread_create
 
+# This one reads what is drawn.
+$(BUILD)/tests/study/test_inset_numbers: LDFLAGS += -Wl,--wrap=tr_draw_biaxial
+
 # In this one calls fail.
 $(BUILD)/tests/base/test_checkpoint: LDFLAGS += -Wl,--wrap=openat,--wrap=write,--wrap=fsync,--wrap=close,--wrap=renameat,--wrap=unlinkat
 

@@ -38,6 +38,7 @@ typedef struct tr_view {
     const tr_patch_state *inset; /* the inside of the contact of disks inset_a and inset_b; NULL: none */
     const tr_patch_pair *inset_pair;
     int inset_a, inset_b;
+    double inset_law; /* Q/(mu P) of the inset's contact by the law of the run; that of the inset is in its state */
 } tr_view;
 
 typedef struct tr_canvas tr_canvas;
@@ -147,12 +148,16 @@ typedef struct tr_patch_view {
 /* The two bodies, where their contact sticks and where it slips which way, and the traction within Coulomb's bound. */
 void tr_draw_patch(tr_canvas *canvas, const tr_patch_view *view);
 
-/* A round end for the colour bar: smallest 1, 2 or 5 times a power of ten that covers 95 % of the contacts; 1 for
- * mobilisation, and where all is at rest. [1 or m/s] */
+/* A round end for the colour bar: smallest 1, 2 or 5 times a power of ten that covers 95 % of the speeds of the contacts; 1
+ * for the other fields, and where all is at rest. [1 or m/s] */
 double tr_frame_range(const tr_record *record, int n, tr_color color);
 
-/* The field in a contact: mobilisation, |v_s| or |v_r|. */
-double tr_frame_field(const tr_record *record, tr_color color);
+/* Where a contact sticks by its friction law in `world`, from and to, in half-widths along t; the rest of -1 to 1 slips. See
+ * tr_slip. Without friction: nowhere. */
+void tr_frame_stick(const tr_world *world, const tr_record *record, double stick[2]);
+
+/* The field in a contact: mobilisation, |v_s|, |v_r|, or the share of the width that slips; only that one needs the world. */
+double tr_frame_field(const tr_world *world, const tr_record *record, tr_color color);
 
 /* The field of each disk: its mean over the n touching contacts of the disk, 0 without one; TR_COLOR_SPIN: angle turned
  * since the world was made [rad]. ends: how many contacts each disk has. */

@@ -25,8 +25,12 @@ double tr_frame_round_up(double x) {
     return round_number(k);
 }
 
-double tr_frame_field(const tr_record *r, tr_color color) {
-    return color == TR_COLOR_MOBILISATION ? r->mobilisation : fabs(color == TR_COLOR_SLIDING ? r->v_s : r->v_r);
+double tr_frame_field(const tr_world *world, const tr_record *r, tr_color color) {
+    double stick[2];
+    if (color == TR_COLOR_MOBILISATION) return r->mobilisation;
+    if (color != TR_COLOR_SLIP) return fabs(color == TR_COLOR_SLIDING ? r->v_s : r->v_r);
+    tr_frame_stick(world, r, stick);
+    return 1 - 0.5 * (stick[1] - stick[0]);
 }
 
 void tr_frame_fill(const tr_world *world, const tr_record *record, int n, tr_color color, double *fill, int *ends) {
@@ -34,22 +38,24 @@ void tr_frame_fill(const tr_world *world, const tr_record *record, int n, tr_col
     for (int i = 0; i < disks; i++) fill[i] = 0, ends[i] = 0;
     for (int c = 0; c < n; c++) {
         int end[] = {record[c].a, record[c].b};
-        for (int k = end[0] < 0; k < 2; k++) fill[end[k]] += tr_frame_field(&record[c], color), ends[end[k]]++;
+        for (int k = end[0] < 0; k < 2; k++) fill[end[k]] += tr_frame_field(world, &record[c], color), ends[end[k]]++;
     }
     for (int i = 0; i < disks; i++)
         fill[i] = color == TR_COLOR_SPIN ? world->disks.pos[4 * i + 2] : fill[i] / (ends[i] ? ends[i] : 1);
 }
 
 double tr_frame_range(const tr_record *record, int n, tr_color color) {
-    if (color == TR_COLOR_MOBILISATION || color == TR_COLOR_SPIN) return 1;
+    if (color != TR_COLOR_SLIDING && color != TR_COLOR_ROLLING) return 1;
     double max = 0;
-    for (int i = 0; i < n; i++)
-        if (isfinite(tr_frame_field(&record[i], color))) max = fmax(max, tr_frame_field(&record[i], color));
+    for (int i = 0; i < n; i++) {
+        double speed = tr_frame_field(NULL, &record[i], color);
+        if (isfinite(speed)) max = fmax(max, speed);
+    }
     if (!(max > 1e-100)) return 1;
     for (double range = tr_frame_round_up(max);;) { /* ends: below the smallest speed nothing is covered */
         double next = tr_frame_round_down(0.9 * range);
         int above = 0;
-        for (int i = 0; i < n; i++) above += tr_frame_field(&record[i], color) > next;
+        for (int i = 0; i < n; i++) above += tr_frame_field(NULL, &record[i], color) > next;
         if (above > 0.05 * n || next < 1e-6 * max) return range;
         range = next;
     }
@@ -189,4 +195,21 @@ tr_point tr_frame_point(const tr_map *map, double x, double y) {
 
 bool tr_frame_seen(tr_point p, double radius) {
     return fabs(p.x) < 1e4 && fabs(p.y) < 1e4 && radius > 0 && radius < 1e4;
+}
+
+int tr_frame_images(const tr_view *view) {
+    return view->world->cell.side[0] > 0 ? 9 : 1;
+}
+
+tr_point tr_frame_image(const tr_view *view, const tr_map *map, tr_point p, int image) {
+    const double *side = view->world->cell.side;
+    int i = (image + 1) % 3 - 1, j = (image / 3 + 1) % 3 - 1;
+    return (tr_point){p.x + i * side[0] * map->scale, p.y - j * side[1] * map->scale};
+}
+
+bool tr_frame_shown(const tr_view *view, const tr_map *map, tr_point p, double radius) {
+    const double *side = view->world->cell.side;
+    bool near = !(side[0] > 0) || (fabs(p.x - map->x) < 0.5 * side[0] * map->scale + 2 * radius &&
+                                   fabs(p.y - map->y) < 0.5 * side[1] * map->scale + 2 * radius);
+    return near && tr_frame_seen(p, radius);
 }

@@ -8,6 +8,7 @@
  * less than one stroke), as polygons, and contact lines are quadrilaterals, one path for each of a few dozen colours. */
 #include "core/cell.h"
 #include "draw/frame.h"
+#include "draw/frame_slip.h"
 #include "draw/patch_plot.h"
 
 #include <math.h>
@@ -31,25 +32,6 @@ static tr_point partner_point(const tr_view *view, const tr_map *map, int a, int
     return tr_frame_point(map, q[0] + image[0] * side[0], q[1] + image[1] * side[1]);
 }
 
-/* Image 0 is what it is of; a periodic cell has eight more. */
-static int images(const tr_view *view) {
-    return view->world->cell.side[0] > 0 ? 9 : 1;
-}
-
-static tr_point image_point(const tr_view *view, const tr_map *map, tr_point p, int image) {
-    const double *side = view->world->cell.side;
-    int i = (image + 1) % 3 - 1, j = (image / 3 + 1) % 3 - 1;
-    return (tr_point){p.x + i * side[0] * map->scale, p.y - j * side[1] * map->scale};
-}
-
-/* In the picture, and no further out of a cell than its diameter. */
-static bool shown(const tr_view *view, const tr_map *map, tr_point p, double radius) {
-    const double *side = view->world->cell.side;
-    bool near = !(side[0] > 0) || (fabs(p.x - map->x) < 0.5 * side[0] * map->scale + 2 * radius &&
-                                   fabs(p.y - map->y) < 0.5 * side[1] * map->scale + 2 * radius);
-    return near && tr_frame_seen(p, radius);
-}
-
 /* A regular polygon that leaves the circle by at most 1/8 px, half outwards, half inwards: for that Cairo takes twice the corners. */
 static void add_disk(cairo_t *cr, tr_point centre, double radius) {
     int n = (int)fmax(8, ceil(M_PI * sqrt(2 * radius)));
@@ -65,21 +47,21 @@ static void add_disk(cairo_t *cr, tr_point centre, double radius) {
 
 static void add_disks(cairo_t *cr, const tr_view *view, const tr_map *map, double rim) {
     double r;
-    for (int k = 0; k < images(view); k++)
+    for (int k = 0; k < tr_frame_images(view); k++)
         for (int i = 0; i < view->world->disks.n; i++) {
-            tr_point p = image_point(view, map, disk_point(view, map, i, &r), k);
-            if (shown(view, map, p, r)) add_disk(cr, p, fmax(r - rim, 0.5 * r));
+            tr_point p = tr_frame_image(view, map, disk_point(view, map, i, &r), k);
+            if (tr_frame_shown(view, map, p, r)) add_disk(cr, p, fmax(r - rim, 0.5 * r));
         }
 }
 
 /* That show rotation. */
 static void add_ticks(cairo_t *cr, const tr_view *view, const tr_map *map) {
     double r;
-    for (int k = 0; k < images(view); k++)
+    for (int k = 0; k < tr_frame_images(view); k++)
         for (int i = 0; i < view->world->disks.n; i++) {
-            tr_point p = image_point(view, map, disk_point(view, map, i, &r), k);
+            tr_point p = tr_frame_image(view, map, disk_point(view, map, i, &r), k);
             double angle = view->world->disks.pos[4 * i + 2], c = cos(angle), s = sin(angle);
-            if (!shown(view, map, p, r) || !isfinite(angle)) continue;
+            if (!tr_frame_shown(view, map, p, r) || !isfinite(angle)) continue;
             cairo_move_to(cr, p.x + 0.4 * r * c, p.y - 0.4 * r * s);
             cairo_line_to(cr, p.x + r * c, p.y - r * s);
         }
@@ -126,9 +108,9 @@ static bool branch(const tr_view *view, const tr_map *map, const tr_record *r, i
     double rp = 1, rq;
     *p = r->a >= 0 ? disk_point(view, map, r->a, &rp) : tr_frame_point(map, r->x, r->y);
     *q = r->a >= 0 ? partner_point(view, map, r->a, r->b, &rq) : disk_point(view, map, r->b, &rq);
-    *p = image_point(view, map, *p, image), *q = image_point(view, map, *q, image);
+    *p = tr_frame_image(view, map, *p, image), *q = tr_frame_image(view, map, *q, image);
     bool seen = tr_frame_seen(*p, rp) && tr_frame_seen(*q, rq);
-    return seen && (shown(view, map, *p, rp) || shown(view, map, *q, rq));
+    return seen && (tr_frame_shown(view, map, *p, rp) || tr_frame_shown(view, map, *q, rq));
 }
 
 /* Width of a line of mean force: a quarter of the mean radius [px]. */
@@ -139,11 +121,12 @@ static double mean_width(const tr_view *view, const tr_map *map) {
 }
 
 static void draw_contacts(cairo_t *cr, const tr_view *view, const tr_map *map, double range, double mean) {
+    const bool slip = view->color == TR_COLOR_SLIP; /* one pale colour: bars across the lines tell the rest */
     double unit = mean_width(view, map), thinnest = 0.15 * unit, widest = 4 * unit;
     for (int c = 0; c < N_COLORS; c++) {
-        for (int k = 0; k < images(view) * view->n_records; k++) {
+        for (int k = 0; k < tr_frame_images(view) * view->n_records; k++) {
             const tr_record *r = &view->record[k % view->n_records];
-            double u = tr_frame_field(r, view->color) / range;
+            double u = slip ? 0 : tr_frame_field(view->world, r, view->color) / range;
             int color = u > 0 ? (u < 1 ? (int)(u * N_COLORS) : N_COLORS - 1) : 0;
             tr_point p, q;
             if (color != c || !(r->f_n > 0) || !branch(view, map, r, k / view->n_records, &p, &q)) continue;
@@ -160,9 +143,10 @@ static void draw_contacts(cairo_t *cr, const tr_view *view, const tr_map *map, d
             cairo_line_to(cr, p.x + ey, p.y - ex);
             cairo_close_path(cr);
         }
-        tr_pen_rgb(cr, tr_palette_sequential((c + 0.5) / N_COLORS));
+        tr_pen_rgb(cr, slip ? tr_palette_hue(TR_FORCE) : tr_palette_sequential((c + 0.5) / N_COLORS));
         cairo_fill(cr);
     }
+    if (slip) tr_frame_slip(cr, view, map, mean);
 }
 
 /* What the view shows outside the cell. */
@@ -224,13 +208,14 @@ static void draw_walls(cairo_t *cr, const tr_view *view, const tr_map *map) {
 
 static void draw_color_bar(cairo_t *cr, const tr_view *view, double range, double y) {
     static const char *const name[] = {"friction used  |f_t| / (μ f_n)", "sliding velocity  |V_s|",
-                                       "rolling velocity  |V_r|", "rotation since the start"};
+                                       "rolling velocity  |V_r|", "share of the width that slips",
+                                       "rotation since the start"};
     tr_unit unit = {.size = 1};
     char label[64];
     bool spin = view->color == TR_COLOR_SPIN;
     if (spin)
         unit = (tr_unit){.size = M_PI / 180, .name = "°"};
-    else if (view->color != TR_COLOR_MOBILISATION)
+    else if (view->color == TR_COLOR_SLIDING || view->color == TR_COLOR_ROLLING)
         unit = tr_frame_unit(range, "m/s");
     snprintf(label, sizeof label, "%s%s", view->fill && !spin ? "mean " : "", name[view->color]);
     tr_frame_color_bar(cr, label, range, &unit, spin, y);
@@ -246,6 +231,19 @@ static void draw_width_key(cairo_t *cr, tr_shape shape, double mean, double widt
     tr_pen_text(cr, (tr_text){.x = TR_PANEL_X + 64, .y = y, .size = 22, .room = TR_PANEL_W - 64}, label);
 }
 
+void tr_frame_inset_numbers(const tr_view *view, char text[TR_INSET_NUMBERS]) {
+    const tr_patch_state *s = view->inset;
+    tr_unit unit = {.size = 1, .decimals = 2};
+    char law[24], exact[24];
+    if (!(s->P > 0)) {
+        snprintf(text, TR_INSET_NUMBERS, "open");
+        return;
+    }
+    tr_frame_number(law, sizeof law, view->inset_law, &unit, false);
+    tr_frame_number(exact, sizeof exact, s->Q / (view->inset_pair->mu * s->P), &unit, false);
+    snprintf(text, TR_INSET_NUMBERS, "Q/(μP):  law %s, exact %s", law, exact);
+}
+
 /* In the panel, where it covers no disk, from top to bottom; a line leads to its contact while there is one. */
 static void draw_inset(cairo_t *cr, const tr_view *view, const tr_map *map, double top, double bottom) {
     double r1, r2;
@@ -253,20 +251,21 @@ static void draw_inset(cairo_t *cr, const tr_view *view, const tr_map *map, doub
              q = partner_point(view, map, view->inset_a, view->inset_b, &r2);
     double part = r1 / (r1 + r2), ring = 0.5 * fmin(r1, r2);
     tr_point at = {p.x + part * (q.x - p.x), p.y + part * (q.y - p.y)}, to = {TR_PANEL_X - 12, 0.5 * (top + bottom)};
-    char label[64];
-    snprintf(label, sizeof label, "inside of contact %d-%d%s", view->inset_a, view->inset_b,
-             view->inset->P > 0 ? "" : ", open");
+    char label[64], numbers[TR_INSET_NUMBERS];
+    snprintf(label, sizeof label, "contact %d-%d: exact on this path", view->inset_a, view->inset_b);
+    tr_frame_inset_numbers(view, numbers);
     tr_pen_hue(cr, TR_INK);
     if (view->inset->P > 0 && tr_frame_seen(at, ring)) {
         double length = hypot(to.x - at.x, to.y - at.y);
         tr_point from = {at.x + ring * (to.x - at.x) / length, at.y + ring * (to.y - at.y) / length};
         tr_pen_line(cr, from, to, 2);
         cairo_arc(cr, at.x, at.y, ring, 0, 2 * M_PI);
-        cairo_set_line_width(cr, 2);
+        cairo_set_line_width(cr, 3);
         cairo_stroke(cr);
     }
-    tr_pen_text(cr, (tr_text){.x = TR_PANEL_X, .y = top + 22, .size = 22, .room = TR_PANEL_W}, label);
-    tr_draw_patch_inset(cr, TR_PANEL_X, top + 34, TR_PANEL_W, bottom - top - 34, view->inset, view->inset_pair);
+    tr_pen_text(cr, (tr_text){.x = TR_PANEL_X, .y = top + 20, .size = 22, .room = TR_PANEL_W}, label);
+    tr_pen_text(cr, (tr_text){.x = TR_PANEL_X, .y = top + 48, .size = 24, .bold = true, .room = TR_PANEL_W}, numbers);
+    tr_draw_patch_inset(cr, TR_PANEL_X, top + 56, TR_PANEL_W, bottom - top - 56, view->inset, view->inset_pair);
 }
 
 void tr_draw_biaxial(tr_canvas *canvas, const tr_view *view) {
@@ -275,17 +274,20 @@ void tr_draw_biaxial(tr_canvas *canvas, const tr_view *view) {
     double range = view->range > 0 ? view->range : tr_frame_range(view->record, view->n_records, view->color);
     tr_map map = tr_frame_start(cr, view, &panel);
     y = TR_FRAME_HEIGHT - TR_EDGE - 72;
-    draw_color_bar(cr, view, range, y);
+    if (view->color == TR_COLOR_SLIP && !view->fill)
+        tr_frame_slip_key(cr, view, y);
+    else
+        draw_color_bar(cr, view, range, y);
     if (map.scale == 0) return;
     cairo_save(cr);
-    if (images(view) > 1) cairo_rectangle(cr, map.left, map.top, map.width, map.height), cairo_clip(cr);
+    if (tr_frame_images(view) > 1) cairo_rectangle(cr, map.left, map.top, map.width, map.height), cairo_clip(cr);
     if (view->fill)
         draw_field(cr, view, &map, range);
     else
         draw_disks(cr, view, &map);
     bool forces = !view->fill && mean > 0 && isfinite(mean);
     if (forces) draw_contacts(cr, view, &map, range, mean);
-    if (images(view) > 1) pale(cr, view, &map);
+    if (tr_frame_images(view) > 1) pale(cr, view, &map);
     cairo_restore(cr);
     draw_walls(cr, view, &map);
     if (view->inset) draw_inset(cr, view, &map, panel, y - 88);

@@ -11,11 +11,14 @@ typedef enum tr_hue {
     TR_INK = 0x2B2F36,
     TR_FAINT = 0x6F7782, /* secondary text: still 4.5:1 on white */
     TR_DISK = 0xE8EBEE,
+    TR_FORCE = 0xC9CED4, /* of lines of force that carry no colour of their own */
     TR_RIM = 0x8A929C,
     TR_WALL = 0x4A515B,
     TR_BLUE = 0x0072B2,
     TR_VERMILLION = 0xD55E00,
     TR_GREEN = 0x009E73,
+    TR_SLIPS = TR_VERMILLION, /* of the width of a contact; as sliding */
+    TR_STICKS = 0x42505E,
     TR_PURPLE = 0xB05A8B, /* Okabe-Ito's, darker: thin lines on light grey */
 } tr_hue;
 

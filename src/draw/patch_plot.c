@@ -3,6 +3,7 @@
 #include "draw/frame.h"
 
 #include <math.h>
+#include <stdio.h>
 
 double tr_patch_limited(double u) {
     return isfinite(u) ? fmin(fmax(u, -1), 1) : 0;
@@ -33,7 +34,7 @@ static void hatch_clipped(cairo_t *cr) {
         cairo_move_to(cr, step * k - y0, y0);
         cairo_line_to(cr, step * k - y1, y1);
     }
-    tr_pen_hue(cr, TR_BLUE);
+    tr_pen_hue(cr, TR_STICKS);
     cairo_set_line_width(cr, 2.2);
     cairo_stroke(cr);
 }
@@ -167,9 +168,30 @@ void tr_patch_plot_draw(const tr_patch_plot *p) {
             "no contact, no traction");
 }
 
+/* Its own scale: hatched where it sticks, and from light to dark what has slipped since the solver's step before. */
+static void draw_scale(const tr_patch_plot *p, double x, double y, double width) {
+    const double box = 1.6 * p->text, high = 0.75 * p->text, ramp = 3 * p->text;
+    char label[48] = "no slip", number[24];
+    tr_patch_plot_hatch(p->cr, x, y - high, box, high);
+    double at = x + box + 8 + tr_pen_text(p->cr, (tr_text){.x = x + box + 8, .y = y, .size = p->text}, "stick") + p->text;
+    for (int k = 0; p->slip_range > 0 && k < (int)ramp; k++) {
+        cairo_rectangle(p->cr, nearbyint(at) + k, y - high, 1, high);
+        tr_pen_rgb(p->cr, tr_palette_sequential(k / ramp));
+        cairo_fill(p->cr);
+    }
+    if (p->slip_range > 0) {
+        tr_unit unit = tr_frame_unit(p->slip_range, "m");
+        unit.decimals = 0;
+        tr_frame_number(number, sizeof number, p->slip_range, &unit, false);
+        snprintf(label, sizeof label, "slip 0 to %s %s", number, unit.name);
+        at += ramp + 8;
+    }
+    tr_pen_text(p->cr, (tr_text){.x = at, .y = y, .size = p->text, .room = x + width - at}, label);
+}
+
 void tr_draw_patch_inset(cairo_t *cr, double x, double y, double width, double height, const tr_patch_state *state,
                          const tr_patch_pair *pair) {
-    double text = fmin(fmax(0.1 * height, 16), 24), reach = 0.5 * width - 4, half = 0.5 * (height - 1.6 * text) - 4;
+    double text = fmin(fmax(0.1 * height, 16), 24), reach = 0.5 * width - 4, half = 0.5 * (height - 3 * text) - 4;
     bool open = !(state->P > 0);
     tr_patch_plot plot = {.cr = cr,
                           .pair = pair,
@@ -187,5 +209,6 @@ void tr_draw_patch_inset(cairo_t *cr, double x, double y, double width, double h
     cairo_rectangle(cr, x, y, width, height);
     cairo_fill(cr);
     tr_patch_plot_draw(&plot);
+    if (!open) draw_scale(&plot, x, y + height - 4, width);
     cairo_restore(cr);
 }

@@ -39,7 +39,7 @@ void tr_patch_plot_arrows(const tr_patch_plot *plot, double y, int way);
 /* The hatching of stick in a rectangle. */
 void tr_patch_plot_hatch(cairo_t *cr, double x, double y, double width, double height);
 
-/* The same picture, small, for other frames; ranges of this state. 240 x 160 px or more. */
+/* The same picture, small, for other frames; ranges of this state, with a scale of its slip. 240 x 160 px or more. */
 void tr_draw_patch_inset(cairo_t *cr, double x, double y, double width, double height, const tr_patch_state *state,
                          const tr_patch_pair *pair);
 

@@ -134,6 +134,7 @@ const tr_law tr_friction_dahlberg_alfredsson = {
                "slides.",
     .claims = TR_RATE_INDEPENDENT | TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
     .n_hist = 1, /* and one more for exact */
+    .slip = TR_SLIPS_TRAILING,
     .step = step,
     .state = state,
     .creep = crept,

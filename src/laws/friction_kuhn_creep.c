@@ -132,6 +132,7 @@ const tr_law tr_friction_kuhn_creep = {
     .n_hist = TR_BED_HIST,
     .needs = TR_ELASTIC_P,
     .merged = 2,
+    .slip = TR_SLIPS_TRAILING,
     .step = step,
     .state = tr_bed_state,
     .creep = creep,

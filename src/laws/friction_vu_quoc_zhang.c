@@ -48,6 +48,7 @@ const tr_law tr_friction_vu_quoc_zhang = {
     .n_hist = TR_BED_HIST,
     .needs = TR_ELASTIC_P,
     .merged = 2,
+    .slip = TR_SLIPS_AT_ENDS,
     .step = step,
     .state = tr_bed_state,
     .stiffness = tr_bed_stiffness,

@@ -139,6 +139,14 @@ typedef enum tr_claims {
     TR_ENERGY_CLOSED = 8,    /* no closed cycle gains energy from it, at constant or changing normal force */
 } tr_claims;
 
+/* Where a contact slips at a given Q, for pictures: of 2a the share 1 - sqrt(1 - q), spheres of a 1 - (1 - q)^(1/3), with
+ * q = |Q|/(mu P). */
+typedef enum tr_slip {
+    TR_SLIPS_WHOLE,    /* the law knows no width: all of it at q = 1, else nothing */
+    TR_SLIPS_AT_ENDS,     /* at both ends, as if loaded from rest [Cattaneo1938] */
+    TR_SLIPS_TRAILING, /* where material leaves, as in steady rolling with this Q [Carter1926]; at both ends without rolling */
+} tr_slip;
+
 struct tr_law {
     tr_param_table table; /* name, doc, parameters, demands */
     const char *source;   /* e.g. "[Wang2015 eq. 28]" */
@@ -151,6 +159,7 @@ struct tr_law {
     int merged;           /* 1 + number of the history that counts what did not fit into the others; 0: all fits */
     int n_pair;           /* pair constants per contact */
     unsigned needs;       /* tr_needs */
+    tr_slip slip;         /* of friction laws */
     /* Fills the pair constants of one contact; NULL when n_pair is 0. */
     void (*pair)(const void *par, const tr_pair_bodies *bodies, double *constants);
     /* One step over the tile. Where the bodies do not touch all outputs are 0 and the history is forgotten. NULL: law

@@ -13,7 +13,7 @@
 /* In the order of the choices of `kind:`. */
 typedef enum tr_kind { TR_KIND_BIAXIAL, TR_KIND_BODIES, TR_KIND_CONTACT, TR_KIND_PATCH } tr_kind;
 
-typedef enum tr_color { TR_COLOR_MOBILISATION, TR_COLOR_SLIDING, TR_COLOR_ROLLING, TR_COLOR_SPIN } tr_color;
+typedef enum tr_color { TR_COLOR_MOBILISATION, TR_COLOR_SLIDING, TR_COLOR_ROLLING, TR_COLOR_SLIP, TR_COLOR_SPIN } tr_color;
 
 enum { TR_MAX_LAWS = 32 }; /* items of `laws:` */
 enum { TR_LAW_PAR = 16 };  /* room for one law's parameter struct, in doubles */

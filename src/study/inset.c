@@ -63,6 +63,10 @@ bool tr_inset_step(tr_inset *inset, tr_path_point now, tr_status *st) {
     return !is_due(inset, now) || step_to(inset, now, st);
 }
 
+double tr_inset_law(const tr_inset *inset, tr_path_point now) {
+    return now.P > 0 ? now.Q / (inset->pair.mu * now.P) : 0;
+}
+
 void tr_inset_checkpoint(tr_inset *inset, tr_checkpoint *c) {
     bool open = inset->solver != NULL;
     TR_KEEP(c, &open, 1);

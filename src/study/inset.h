@@ -27,6 +27,9 @@ void tr_inset_close(tr_inset *inset);
 /* To load: after tr_inset_open. An inset that has failed since is closed. */
 void tr_inset_checkpoint(tr_inset *inset, tr_checkpoint *c);
 
+/* Q/(mu P) by the law of the run; 0 while open. */
+double tr_inset_law(const tr_inset *inset, tr_path_point now);
+
 /* The contact has got to `now`; the solver stands less than a step behind. */
 bool tr_inset_step(tr_inset *inset, tr_path_point now, tr_status *st);
 

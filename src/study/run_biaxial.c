@@ -191,6 +191,7 @@ static bool frame(test *t, int n_records, const tr_measures *m, tr_status *st) {
     if (t->inset.solver) {
         view.inset = tr_half_plane_state(t->inset.solver), view.inset_pair = &t->inset.pair;
         view.inset_a = t->inset.pick.a, view.inset_b = t->inset.pick.b;
+        view.inset_law = tr_inset_law(&t->inset, tr_recorder_now(&t->out.recorder, 0));
     }
     view.line = line, view.n_lines = 5;
     return tr_outputs_frame(&t->out, tr_draw_biaxial, &view, st);

@@ -248,7 +248,8 @@ static void test_disks_in_the_colour_of_a_field(void **state) {
     h->record[1] = (tr_record){.a = 1, .b = 2, .f_n = 5, .v_r = 1, .v_s = -5, .mobilisation = 1};
     h->record[2] = (tr_record){.a = -1, .b = 0, .f_n = 5, .v_r = 0.8, .v_s = 4, .mobilisation = 0};
     h->view.n_records = 3;
-    const double want[][4] = {{0.25, 0.75, 1, 0}, {3.5, 4, 5, 0}, {0.5, 0.6, 1, 0}, {-2, 0, 0.5, 1}};
+    /* without a law of friction all of a contact slips */
+    const double want[][4] = {{0.25, 0.75, 1, 0}, {3.5, 4, 5, 0}, {0.5, 0.6, 1, 0}, {1, 1, 1, 0}, {-2, 0, 0.5, 1}};
     for (tr_color color = TR_COLOR_MOBILISATION; color <= TR_COLOR_SPIN; color++) {
         h->view.color = color;
         tr_frame_fill(&h->world, h->record, 3, color, fill, ends);
@@ -364,7 +365,7 @@ static void test_bad_numbers_are_left_out(void **state) {
             h->world.n_walls = 4;
             h->world.wall[2].mass = 1;
             double fill[] = {bad[i], 0};
-            h->view.color = (tr_color)(k % 4);
+            h->view.color = (tr_color)(k % 5);
             if (h->view.color == TR_COLOR_SPIN) h->view.fill = fill;
             double *target[] = {&h->pos[0],      &h->pos[1],
                                 &h->pos[2],      &h->pos[3],

@@ -108,9 +108,9 @@ static void test_stick_is_hatched_and_slip_is_not(void **state) {
     tr_draw_patch(f->canvas, &f->view);
     for (int i = 0; i < 5; i++) {
         int x0 = MIDDLE - HALF + 90 * i + 8, x1 = x0 + 74;
-        int band = count(f, TR_BLUE, x0, x1, BAND - 10, BAND + 10),
-            area = count(f, TR_BLUE, x0, x1, AXIS - 30, AXIS - 4);
-        int below = count(f, TR_BLUE, x0, x1, AXIS + 4, AXIS + HIGH);
+        int band = count(f, TR_STICKS, x0, x1, BAND - 10, BAND + 10),
+            area = count(f, TR_STICKS, x0, x1, AXIS - 30, AXIS - 4);
+        int below = count(f, TR_STICKS, x0, x1, AXIS + 4, AXIS + HIGH);
         if (i % 2)
             assert_true(band == 0 && area == 0);
         else
@@ -366,10 +366,10 @@ static void test_open_contact(void **state) {
     rolls(f, 60);
     tr_draw_patch(f->canvas, &f->view);
     assert_int_equal(pixel(f, MIDDLE + 100, AXIS + 60), TR_DISK);
-    assert_true(count(f, TR_BLUE, 84, 812, 76, 650) > 1000);
+    assert_true(count(f, TR_STICKS, 84, 812, 76, 650) > 1000);
     f->state.P = 0; /* the arrays still hold what was */
     tr_draw_patch(f->canvas, &f->view);
-    assert_int_equal(count(f, TR_BLUE, 84, 812, 76, 650), 0);
+    assert_int_equal(count(f, TR_STICKS, 84, 812, 76, 650), 0);
     assert_int_equal(count(f, TR_DISK, 116, 784, 330, 650), 0);
     assert_int_equal(count(f, TR_WHITE, MIDDLE - 60, MIDDLE + 60, BAND - 12, BAND + 12), 120 * 24); /* apart */
     assert_true(count(f, TR_FAINT, 200, 700, AXIS - 60, AXIS - 4) > 100);                           /* and says so */
@@ -446,8 +446,8 @@ static void test_two_and_two_thousand_elements(void **state) {
             (unsigned)lround(255 * c.r) << 16 | (unsigned)lround(255 * c.g) << 8 | (unsigned)lround(255 * c.b);
         assert_int_equal(count(f, light, MIDDLE, MIDDLE + 200, AXIS - 10, AXIS - 9), 200); /* no seams */
         assert_int_equal(count(f, light, MIDDLE - HALF, MIDDLE, AXIS - 10, AXIS - 9), 0);
-        assert_true(count(f, TR_BLUE, MIDDLE - 200, MIDDLE - 4, AXIS - 30, AXIS - 4) > 200);
-        assert_int_equal(count(f, TR_BLUE, MIDDLE, MIDDLE + 200, AXIS - 30, AXIS - 4), 0);
+        assert_true(count(f, TR_STICKS, MIDDLE - 200, MIDDLE - 4, AXIS - 30, AXIS - 4) > 200);
+        assert_int_equal(count(f, TR_STICKS, MIDDLE, MIDDLE + 200, AXIS - 30, AXIS - 4), 0);
     }
 }
 
@@ -462,9 +462,11 @@ static void test_inset(void **state) {
         tr_draw_patch_inset(f->canvas->cr, x, y, w, h, &f->state, &f->pair);
         assert_int_equal(count(f, TR_PURPLE, 0, TR_FRAME_WIDTH, 0, TR_FRAME_HEIGHT),
                          TR_FRAME_WIDTH * TR_FRAME_HEIGHT - w * h);
-        assert_true(count(f, TR_BLUE, x, x + w / 2, y, y + h) > 20);
-        assert_int_equal(count(f, TR_BLUE, x + 3 * w / 4, x + w, y, y + h), 0); /* the last quarter slips */
-        assert_true(count(f, TR_DISK, x, x + w, y + h / 2, y + h) > w * h / 10);
+        assert_true(count(f, TR_STICKS, x, x + w / 2, y, y + h) > 20);
+        assert_int_equal(count(f, TR_STICKS, x + 3 * w / 4, x + w, y, y + h), 0); /* the last quarter slips */
+        int text = k ? 24 : 16, axis = y + (h - 3 * text) / 2; /* three lines below: numbers, a scale of the slip */
+        assert_true(count(f, TR_DISK, x, x + w, axis, y + h) > w * h / 10);
+        assert_true(count(f, TR_STICKS, x, x + 2 * text, y + h - text, y + h) > 20); /* stick in its key */
     }
 }
 

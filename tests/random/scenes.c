@@ -247,6 +247,7 @@ static void biaxial(maker *m) {
     bool periodic = one_in(m, 2), wide = one_in(m, 3);
     double ratio = wide ? power(m, 0.5, 2) : uniform(m, 1, 3), pressure = power(m, wide ? -3 : -4, -2.2);
     char more[128];
+    static const char *const color[] = {"mobilisation", "sliding", "rolling", "slip", "spin"};
     int n = whole(m, periodic ? 16 : 2, 36);
     fprintf(m->out, "seed: %d\nboundary: %s\nsample: {disks: %d, r_min: %.6g, r_max: %.6g, density: %.6g}\ncontact: {",
             whole(m, 1, 1000000), periodic ? "periodic" : "walls", n, m->R / ratio, m->R, m->rho);
@@ -257,7 +258,7 @@ static void biaxial(maker *m) {
     fprintf(m->out, "}\nstep: {safety: %.6g}\n", one_in(m, 2) ? 0.4 : uniform(m, 0.05, 0.8));
     snprintf(more, sizeof more, ", curves: no, energy: %s, increments: %s, path_rows: %d, color: %s",
              one_in(m, 4) ? "no" : "yes", one_in(m, 3) ? "yes" : "no", one_in(m, 4) ? whole(m, 1, 20) : 0,
-             one_in(m, 2) ? "rolling" : "spin");
+             color[whole(m, 0, 4)]);
     write_output(m, n, periodic ? 0 : 4, more);
     /* Last, since their numbers follow from the step: see finish(). */
     fprintf(m->out, "compaction: {pressure: %.6g, mu: %.6g, unbalanced: %.6g", pressure,
