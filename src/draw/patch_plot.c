@@ -209,6 +209,6 @@ void tr_draw_patch_inset(cairo_t *cr, double x, double y, double width, double h
     cairo_rectangle(cr, x, y, width, height);
     cairo_fill(cr);
     tr_patch_plot_draw(&plot);
-    if (!open) draw_scale(&plot, x, y + height - 4, width);
+    if (!open) draw_scale(&plot, x, y + height - 0.3 * text, width);
     cairo_restore(cr);
 }
