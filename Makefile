@@ -27,7 +27,7 @@ LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o)
 CLI_OBJ  := $(CLI_SRC:%=$(BUILD)/%.o)
 TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all biaxial definitions figures wang kuhn kuhn-film bands replay spread features bench bench-peers demos gallery verify test mutate faults random test-slurm install asan tsan fuzz lint format clean help packages-% build-all build-faults build-random run-demos run-tests run-tsan
+.PHONY: all biaxial creep definitions figures wang kuhn kuhn-film bands replay spread features bench bench-peers demos gallery verify test mutate faults random test-slurm install asan tsan fuzz lint format clean help packages-% build-all build-faults build-random run-demos run-tests run-tsan
 .SECONDARY:
 
 all: packages-build
@@ -39,6 +39,12 @@ biaxial: packages-build
 	@echo "curve:  out/biaxial/biaxial.svg and .png (needs gnuplot), numbers in out/biaxial/history.csv"
 	@echo "frames: out/biaxial/frames/*.png"
 	@echo "video:  out/biaxial/biaxial.mp4 (needs ffmpeg)"
+
+# Two kinds of rolling resistance in the biaxial test, 24 samples: curves, film, verdicts. Stopped and started again it goes on.
+creep: packages-build
+	@$(MAKE) --no-print-directory build-all
+	figures/creep/creep.sh ./trundle out/creep
+	@echo "page: out/creep/index.html (pictures need gnuplot, the film ffmpeg), tables: out/creep/*.csv"
 
 # Ten seconds. Runs of the assembly that are there are not run again.
 definitions: packages-build
@@ -183,6 +189,7 @@ clean:
 
 help:
 	@echo 'make biaxial   install what is missing, build, run the biaxial test of cases/biaxial.yaml'
+	@echo 'make creep     build, and compare two kinds of rolling resistance, contact moment and creep, in 24 samples: curves, film, verdicts; page in out/creep/index.html; 2 minutes'
 	@echo 'make definitions  build, and compare the definitions of rolling: motions, energy, one contact, an assembly; page in out/definitions/index.html; seconds'
 	@echo 'make test      install what is missing, build, run all tests; last line: N passed, N failed'
 	@echo 'make test-slurm  a sweep as a job array on a Slurm of one node that the test brings up; root'

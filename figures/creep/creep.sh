@@ -11,7 +11,7 @@ set -eu
 export LC_ALL=C
 trundle=$1 out=$2 seeds=${3:-24}
 here=$(cd "$(dirname "$0")" && pwd)
-film=$(realpath "${4:-$here/../../cases/biaxial-creep.yaml}")
+base=$(realpath "${4:-$here/../../cases/biaxial-creep.yaml}")
 mkdir -p "$out"
 
 # sweep NAME: one packing a seed for all its points
@@ -24,9 +24,6 @@ sweep() {
     } >"$out/$1.yaml"
     "$trundle" sweep "$out/$1.yaml" -o "$out/$1" >"$out/said" 2>&1 || { cat "$out/said" >&2; exit 1; }
 }
-# The contact that the case follows is for its film alone.
-awk '/^ *paths:/ {inside = 1; next} inside && /^ *#/ {next} {inside = 0; print}' "$film" >"$out/case.yaml"
-base=$(realpath "$out/case.yaml")
 sweep laws <<'CASE'
 vary: {contact.mu_r: [0, 0.5], contact.friction: [coulomb-spring, dahlberg-alfredsson]}
 CASE
@@ -42,3 +39,16 @@ NAMES
         awk -f "$here/../student.awk" -f "$here/curve.awk" -v mu_r="$mu_r" -v friction="$name" "$out/$sweep/mu_r=$mu_r,"*"=$value,seed="*/history.csv
     done
 done >"$out/curves.csv"
+
+[ -e "$out/film/summary.json" ] || "$trundle" run "$base" -o "$out/film" --force >"$out/said" 2>&1 || { cat "$out/said" >&2; exit 1; }
+rm -f "$out"/*.png "$out/said"
+if command -v gnuplot >/dev/null; then
+    for picture in curves effects; do
+        gnuplot -d -e "dir = '$out'; set output '$out/$picture.png'" \
+            -e "set terminal pngcairo size 1350,1080 font 'DejaVu Sans,20' enhanced rounded linewidth 1.5" "$here/$picture.gp"
+    done
+else
+    echo 'no pictures: gnuplot is not installed' >&2
+fi
+"$here/page.sh" "$out" "$("$trundle" --version)" >"$out/index.html.part"
+mv "$out/index.html.part" "$out/index.html"

@@ -94,6 +94,17 @@ static void what_is_not_like_the_measured_case_has_no_numbers(void **state) {
         tr_accuracy a = accuracy_with("cases/biaxial.yaml", out[i]);
         if (*a.row || !*a.not_examined) fail_msg("%s has numbers", out[i]);
     }
+    static const char *const out_creep[] = {"contact.creep_roll=kuhn", "contact.E_star=2.9*k_n", "contact.k_t=0.5*k_n",
+                                            "contact.k_r=k_n"};
+    for (size_t i = 0; i < sizeof out_creep / sizeof *out_creep; i++) {
+        tr_accuracy a = accuracy_with("cases/biaxial-creep.yaml", out_creep[i]);
+        if (*a.row || !*a.not_examined) fail_msg("%s has numbers", out_creep[i]);
+    }
+    static const char *const in_creep[] = {NULL, "contact.mu_r=0", "sample.disks=1600"};
+    for (size_t i = 0; i < sizeof in_creep / sizeof *in_creep; i++) {
+        tr_accuracy a = accuracy_with("cases/biaxial-creep.yaml", in_creep[i]);
+        if (!*a.row) fail_msg("%s: %s", in_creep[i], a.not_examined);
+    }
     static const char *const in[] = {NULL,
                                      "seed=9",
                                      "sample.disks=100",

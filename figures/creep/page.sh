@@ -1,0 +1,94 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The page of the comparison, from the tables in DIR. It is XML too.
+# usage: page.sh DIR VERSION
+set -eu
+out=$1 version=$2
+here=$(cd "$(dirname "$0")" && pwd)
+# shellcheck source=figures/tables.sh
+. "$here/../tables.sh"
+
+seeds=$(awk -F, 'NR == 2 {print $4}' "$out/effects.csv")
+# verdicts OF: the rows of effects.csv on one kind of rolling resistance
+verdicts() {
+    awk -F, -v of="$1" 'BEGIN { OFS = ","; print "number", "beside", "change ± 95 %", "± for all verdicts", "too little to matter", "verdict" }
+        function signed(v) { return (v > 0 ? "+" : "") v }
+        $2 == of { gsub(/-/, "−", $5); print $1, $3, signed($5) " ± " $6, "± " $7, "± " $8, $9 }' "$out/effects.csv" >"$out/table.csv"
+    table table.csv "$2"
+    rm "$out/table.csv"
+}
+film() {
+    if [ -s "$out/film/biaxial.mp4" ]; then
+        echo '<video src="film/biaxial.mp4" controls="controls" loop="loop" muted="muted" playsinline="playsinline"></video>'
+    else
+        echo "<img class=\"picture\" src=\"film/frames/$(ls "$out/film/frames" | tail -n 1)\" alt=\"The last frame\"/>"
+    fi
+}
+# fact KEY: of the run of the film
+fact() { sed -n "s/.*\"$1\": \"*\([^\",]*\).*/\1/p" "$out/film/summary.json" | head -n 1; }
+
+cat <<HTML
+<!DOCTYPE html>
+<!-- SPDX-License-Identifier: MIT -->
+<html lang="en">
+<head>
+<meta charset="utf-8"/>
+<meta name="viewport" content="width=device-width, initial-scale=1"/>
+<meta name="color-scheme" content="light dark"/>
+<title>Two kinds of rolling resistance</title>
+<style>
+$(cat "$here/../gallery/page.css")
+section { margin-bottom: 3rem; }
+td, th { text-align: left; white-space: normal; }
+td:nth-child(3), td:nth-child(4) { white-space: nowrap; }
+</style>
+</head>
+<body>
+<header>
+<h1>Two kinds of rolling resistance</h1>
+<p>A contact can resist rolling in two ways [Kuhn2014]. A <b>contact moment</b> acts against rolling: here the rolling spring of Wang,
+with μ_r. And rolling makes friction <b>creep</b>: the material that carries the traction leaves the contact, and the friction force fades.
+Here that is the friction of Dahlberg and Alfredsson with the creepage of Carter. What does each do to $(fact n_disks) disks in the biaxial test?</p>
+<p>Computed by $version: $seeds samples. All runs of a sample start from the same packing, and differences are taken sample by sample.</p>
+</header>
+<main>
+<section>
+<h2>The film</h2>
+$(film)
+<p>One sample with both. The bar across each contact is its width, much exaggerated. Dark: it sticks. Orange: it slips. The law has no width of
+its own: shown is the state of steady rolling with the same friction force [Carter1926], to which the law tends. The panel shows one contact from
+the inside. That is the exact elastic contact, driven along the path that the contact took in the run. “law” is the friction of the run, “exact” that of the
+exact contact, both over μP. The sign tells the direction.</p>
+</section>
+<section>
+<h2>The curves</h2>
+$(picture curves.png 'Stress ratio and void ratio against strain for six combinations, with intervals')
+<p>Means over $seeds samples. The band is the 95 % interval of the mean (Student).</p>
+</section>
+<section>
+<h2>1. The contact moment</h2>
+<p>Runs with μ_r = 0.5 less runs with μ_r = 0.</p>
+$(verdicts 'contact moment' 'What the contact moment changes')
+</section>
+<section>
+<h2>2. Creep</h2>
+<p>Runs with creep less runs with the spring. Rolling in the creep is that of Wang, R1R2/(R1+R2) (ω1 − ω2).</p>
+$(verdicts creep 'What creep changes')
+<p>Kuhn calls another motion rolling: (s1 + s2)/2, the mean speed at which material runs through the contact. Creep with his rolling less creep with
+that of Wang:</p>
+$(verdicts "Kuhn's rolling less Wang's" "What Kuhn's rolling in the creep changes")
+</section>
+<section>
+<h2>How to read the verdicts</h2>
+$(picture effects.png 'Changes with their intervals; the grey band is too little to matter')
+<p>“raises” or “lowers”: the interval leaves out 0. “within”: the whole interval lies in the grey band; a change is too small to matter in a test with few samples.
+“undecided”: the interval leaves out neither 0 nor a change that matters. That is <b>not</b> “no effect”. The wider interval decides (thin line): it is
+such that all 24 verdicts hold together in 95 of 100 repetitions of the study (Bonferroni). The narrow one (thick line) is the 95 % interval of one difference alone.
+The rule was written before the runs: <code>figures/creep/effects.awk</code>.</p>
+<p>All numbers hold for this case: <code>cases/biaxial-creep.yaml</code>, I = $(fact inertial_number), κ = $(fact stiffness_ratio), 20 % strain. The residual is the mean over 15 to 20 %
+strain. The dilatancy is the void ratio there less that at the start. The rolling share is Σ|V_r| / Σ(|V_r| + |V_s|) there, by Wang.</p>
+</section>
+</main>
+</body>
+</html>
+HTML
