@@ -9,12 +9,12 @@ csv = dir.'/curves.csv'
 set grid linecolor '#d0d0d0'
 set multiplot layout 2,1 margins 0.1,0.985,0.1,0.95 spacing 0.03
 set xrange [0:20]
-set yrange [0:0.75]
+set yrange [0:0.8]
 set ylabel 'sin φ' offset 0.5
 set format x ''
 set key top right samplen 1.5 opaque
-set label 1 'contact moment, μ_r = 0.5' at graph 0.97,0.62 right
-set label 2 'no contact moment' at graph 0.97,0.13 right
+set label 1 'with contact moment, μ_r = 0.5' at first 3.2,0.73 left
+set label 2 'no contact moment' at first 3.2,0.2 left
 plot for [m = 1:2] for [k = 1:3] csv index block(m, k) using (100*$3):($4 - $5):($4 + $5) with filledcurves notitle \
         fillcolor rgb color[k] fillstyle transparent solid 0.2 noborder, \
     for [m = 1:2] for [k = 1:3] csv index block(m, k) using (100*$3):4 with lines linewidth width[k] linecolor rgb color[k] \

@@ -13,8 +13,24 @@ seeds=$(awk -F, 'NR == 2 {print $4}' "$out/effects.csv")
 verdicts() {
     awk -F, -v of="$1" 'BEGIN { OFS = ","; print "number", "beside", "change ± 95 %", "± for all verdicts", "too little to matter", "verdict" }
         function signed(v) { return (v > 0 ? "+" : "") v }
-        $2 == of { gsub(/-/, "−", $5); print $1, $3, signed($5) " ± " $6, "± " $7, "± " $8, $9 }' "$out/effects.csv" >"$out/table.csv"
+        $2 == of { change = signed($5); sub(/-/, "−", change); print $1, $3, change " ± " $6, "± " $7, "± " $8, $9 }' "$out/effects.csv" >"$out/table.csv"
     table table.csv "$2"
+    rm "$out/table.csv"
+}
+# The verdicts of one kind beside the other in a row each
+summary() {
+    awk -F, 'BEGIN { print "kind,peak sin φ,residual sin φ,dilatancy e − e0,rolling share" }
+        function put(of) {
+            printf "%s", of
+            for (i = 1; i <= 4; i++) printf ",%s", a[of, name[i]] == b[of, name[i]] ? a[of, name[i]] : a[of, name[i]] " (μ_r = 0); " b[of, name[i]] " (0.5)"
+            print ""
+        }
+        $9 != "" && NR > 1 {
+            if (!($1 in known)) { known[$1] = 1; name[++n] = $1 }
+            if (!(($2, $1) in a)) a[$2, $1] = $9; else b[$2, $1] = $9
+        }
+        END { put("contact moment"); put("creep") }' "$out/effects.csv" >"$out/table.csv"
+    table table.csv 'What each kind of rolling resistance does'
     rm "$out/table.csv"
 }
 film() {
@@ -40,7 +56,7 @@ cat <<HTML
 $(cat "$here/../gallery/page.css")
 section { margin-bottom: 3rem; }
 td, th { text-align: left; white-space: normal; }
-td:nth-child(3), td:nth-child(4) { white-space: nowrap; }
+section td:nth-child(3), section td:nth-child(4), section th:first-child { white-space: nowrap; }
 </style>
 </head>
 <body>
@@ -50,6 +66,8 @@ td:nth-child(3), td:nth-child(4) { white-space: nowrap; }
 with μ_r. And rolling makes friction <b>creep</b>: the material that carries the traction leaves the contact, and the friction force fades.
 Here that is the friction of Dahlberg and Alfredsson with the creepage of Carter. What does each do to $(fact n_disks) disks in the biaxial test?</p>
 <p>Computed by $version: $seeds samples. All runs of a sample start from the same packing, and differences are taken sample by sample.</p>
+<h2>The short answer</h2>
+$(summary)
 </header>
 <main>
 <section>
@@ -74,18 +92,18 @@ $(verdicts 'contact moment' 'What the contact moment changes')
 <h2>2. Creep</h2>
 <p>Runs with creep less runs with the spring. Rolling in the creep is that of Wang, R1R2/(R1+R2) (ω1 − ω2).</p>
 $(verdicts creep 'What creep changes')
+$(picture effects.png 'Changes by creep with their intervals; the grey band is too little to matter')
 <p>Kuhn calls another motion rolling: (s1 + s2)/2, the mean speed at which material runs through the contact. Creep with his rolling less creep with
 that of Wang:</p>
 $(verdicts "Kuhn's rolling less Wang's" "What Kuhn's rolling in the creep changes")
 </section>
 <section>
 <h2>How to read the verdicts</h2>
-$(picture effects.png 'Changes with their intervals; the grey band is too little to matter')
 <p>“raises” or “lowers”: the interval leaves out 0. “within”: the whole interval lies in the grey band; a change is too small to matter in a test with few samples.
-“undecided”: the interval leaves out neither 0 nor a change that matters. That is <b>not</b> “no effect”. The wider interval decides (thin line): it is
+“undecided”: the interval leaves out neither 0 nor a change that matters. That is <b>not</b> “no effect”. The wider interval decides (thin line in the picture): it is
 such that all 24 verdicts hold together in 95 of 100 repetitions of the study (Bonferroni). The narrow one (thick line) is the 95 % interval of one difference alone.
 The rule was written before the runs: <code>figures/creep/effects.awk</code>.</p>
-<p>All numbers hold for this case: <code>cases/biaxial-creep.yaml</code>, I = $(fact inertial_number), κ = $(fact stiffness_ratio), 20 % strain. The residual is the mean over 15 to 20 %
+<p>All numbers hold for this case: <code>cases/biaxial-creep.yaml</code>, I = $(fact inertial_number), κ = $(fact stiffness_ratio | sed 's/\.0$//'), 20 % strain. The residual is the mean over 15 to 20 %
 strain. The dilatancy is the void ratio there less that at the start. The rolling share is Σ|V_r| / Σ(|V_r| + |V_s|) there, by Wang.</p>
 </section>
 </main>

@@ -472,7 +472,8 @@ int main(int argc, char **argv) {
     char root[PATH / 2], path[PATH];
     snprintf(root, sizeof root, "%s/%s", argv[3], scene);
     set_commands(argv[6]);
-    snprintf(here, sizeof here, "%s/%d", root, (int)getpid());
+    snprintf(here, sizeof here, "%s/XXXXXX", root); /* thousands of these programs: numbers of processes come again */
+    if (!mkdtemp(here)) die(here);
     snprintf(out_file, sizeof out_file, "%s.stdout", here);
     snprintf(error_file, sizeof error_file, "%s.stderr", here);
     snprintf(where_file, sizeof where_file, "%s.where", here);
@@ -481,7 +482,7 @@ int main(int argc, char **argv) {
     snprintf(path, sizeof path, "%s/start", root), load(&start, path);
     snprintf(path, sizeof path, "%s/want", root), load(&want, path);
     snprintf(path, sizeof path, "%s/want.stdout", root), wanted.data = slurp(path, &wanted.size);
-    if (mkdir(here, 0777) || close(creat(out_file, 0666)) || close(creat(error_file, 0666))) die(here);
+    if (close(creat(out_file, 0666)) || close(creat(error_file, 0666))) die(here);
     for (int k = 7; k < argc; k++) {
         number = argv[k];
         remove(where_file);
