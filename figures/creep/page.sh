@@ -5,8 +5,8 @@
 set -eu
 out=$1 version=$2
 here=$(cd "$(dirname "$0")" && pwd)
-# shellcheck source=figures/tables.sh
-. "$here/../tables.sh"
+# shellcheck source=figures/gallery/tables.sh
+. "$here/../gallery/tables.sh"
 
 seeds=$(awk -F, 'NR == 2 {print $4}' "$out/effects.csv")
 # verdicts OF: the rows of effects.csv on one kind of rolling resistance

@@ -6,8 +6,8 @@ set -eu
 out=$1 seeds=$2 version=$3 names=$4
 here=$(cd "$(dirname "$0")" && pwd)
 
-# shellcheck source=figures/tables.sh
-. "$here/../tables.sh"
+# shellcheck source=figures/gallery/tables.sh
+. "$here/../gallery/tables.sh"
 detectable() { awk -F, -v what="$1" '$1 == what && $6 != "" {print $6; exit}' "$out/strength.csv"; }
 
 cat <<HTML

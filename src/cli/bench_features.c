@@ -61,6 +61,13 @@ static void add_laws(table *t, const tr_bench_arguments *a, const char *slot, co
     }
 }
 
+/* Creep by the rolling of Wang, beside his moment: the case of `make creep`. Nothing where the case has no E_star: told above. */
+static void add_wang_creep(table *t, const tr_bench_arguments *a) {
+    static const char *const set[] = {"contact.friction=dahlberg-alfredsson", "contact.creep_roll=wang"};
+    tr_status why = {0};
+    if (t->n < MAX_ROWS) add(t, a, "friction", "dahlberg-alfredsson (wang)", set, 2, &why);
+}
+
 static bool fill(table *t, const tr_bench_arguments *a, tr_status *st) {
     static const char *const set[] = {"contact.rolling=none", "contact.friction=none"};
     const tr_scene_contact *c = &t->scene[FULL].contact;
@@ -78,6 +85,7 @@ static bool fill(table *t, const tr_bench_arguments *a, tr_status *st) {
         return false;
     add_laws(t, a, "normal", tr_laws_normal, catalog->n_normal, c->normal.law);
     add_laws(t, a, "friction", tr_laws_friction, catalog->n_friction, c->friction.law);
+    add_wang_creep(t, a);
     add_laws(t, a, "rolling", tr_laws_rolling, catalog->n_rolling, c->rolling.law);
     return true;
 }
