@@ -133,7 +133,7 @@ mutate: packages-test
 	@$(MAKE) --no-print-directory build-all
 	tests/mutate/mutate.sh
 
-# Every allocation and every call to the system that fails, one at a time: the best part of an hour on two cores. STRIDE=10 takes a tenth of them; make test a part.
+# Every allocation and every call to the system that fails, one at a time: half an hour on two cores. STRIDE=10 takes a tenth of them; make test a part.
 STRIDE ?= 1
 faults: packages-test
 	@$(MAKE) --no-print-directory build-all build-faults
@@ -193,7 +193,7 @@ help:
 	@echo 'make definitions  build, and compare the definitions of rolling: motions, energy, one contact, an assembly; page in out/definitions/index.html; seconds'
 	@echo 'make test      install what is missing, build, run all tests; last line: N passed, N failed'
 	@echo 'make test-slurm  a sweep as a job array on a Slurm of one node that the test brings up; root'
-	@echo 'make faults    in runs of every kind each allocation and each call to the system fails in turn; up to an hour on two cores, STRIDE=10 for a tenth'
+	@echo 'make faults    in runs of every kind each allocation and each call to the system fails in turn; half an hour on two cores, STRIDE=10 for a tenth'
 	@echo 'make random    N=200 random scenes of all laws and kinds, with threads and stops; a minute. What goes wrong stays in out/random/; SEED=2 for others'
 	@echo 'make figures   build, and draw figures/*.gp with their data into out/figures/ (needs gnuplot); half a minute'
 	@echo 'make features  build, measure what each feature and each law costs, and draw it: out/figures/features.png'

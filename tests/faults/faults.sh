@@ -161,7 +161,7 @@ quietly() { "$trundle" "$@" >"$at/said" 2>&1 || cat "$at/said"; }
 # ---- all of them ----
 campaign() {
     scene=$1
-    prepare "$scene" || { failed=1; return; }
+    prepare "$scene" || { failed=$((failed + 1)); return; }
     line=$(field "$scene" 3)
     case $(field "$scene" 2)$traced in both0) faults='memory ENOSPC EIO EINTR short' ;; *) faults=memory ;; esac
     for fault in $faults; do

@@ -120,9 +120,10 @@ static bool is_result(const char *name) {
     return !strncmp(name, "out/", 4);
 }
 
-/* ---- what may differ from run to run: times ---- */
+/* ---- what may differ from run to run: times, and what the log of a point tells ---- */
 
 static bool drop_line(const file *f, const char *line, bool *timing) {
+    if (ends(f->name, "/log") && (!strncmp(line, "note: ", 6) || !strncmp(line, "error: ", 7))) return true;
     if (ends(f->name, "/summary.json") && strstr(line, "\"timing\"")) *timing = true;
     bool drop = *timing || (f == &said && !strncmp(line, "wall time", 9)) ||
                 (f == &wanted && !strncmp(line, "wall time", 9));
