@@ -49,7 +49,7 @@ echo 'motion,definition,R2_over_R1,value'
         }
         function say(name, v) {printf "%s,%s,%.10g,%.10g\n", $1, name, R2/R1, v/1e-3}' "$work/measures.csv"
     awk -F, '
-        BEGIN {split("wang,bagi-kuhn,alonso-min,alonso-mean,bagi-kuhn-conjugate", name, ","); R1 = 0.01; k_r = 1e6; u = 1e-6}
+        BEGIN {split("wang,bagi-kuhn,alonso-min,alonso-mean,conjugate-spring of bagi-kuhn", name, ","); R1 = 0.01; k_r = 1e6; u = 1e-6}
         $3 == 1 {slide[$2] = roll[$2] = M1[$2] = M2[$2] = f[$2] = 0; R_eff = R1*$1/(1 + $1)}
         {
             i = $2; R2 = $1*R1; dslide = $5 - slide[i]; droll = $6 - roll[i]

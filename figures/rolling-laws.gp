@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Moment against rotation of all rolling laws. Data: rolling-laws.sh.
 set datafile separator ','
-array name[6] = ['wang-spring', 'bagi-kuhn-conjugate', 'star-displacement-damping', 'star-displacement-damping with dashpot', \
+array name[6] = ['wang-spring', 'conjugate-spring of bagi-kuhn', 'star-displacement-damping', 'star-displacement-damping with dashpot', \
     'star-constant-torque', 'star-force-proportional']
 array color[6] = ['#0072b2', '#f0a0d0', '#000000', '#009e73', '#d55e00', '#e69f00']
 # Where curves coincide, each is narrower than the one below it.

@@ -15,7 +15,7 @@ follow() {
     "$trundle" run "$case" -o "$work/run" --force --set output.curves=no "$@" >"$work/said" 2>&1 || { cat "$work/said" >&2; exit 1; }
     sort -t, -k1,1n -k2,2n "$work/run/contact.csv" | awk -F, -v path="$path" '
         BEGIN {
-            split("wang-spring,bagi-kuhn-conjugate,star-displacement-damping,star-displacement-damping with dashpot," \
+            split("wang-spring,conjugate-spring of bagi-kuhn,star-displacement-damping,star-displacement-damping with dashpot," \
                   "star-constant-torque,star-force-proportional", name, ",")
             R_star = 0.005
         }

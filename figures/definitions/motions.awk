@@ -19,7 +19,7 @@ NR > 1 {
 }
 function closed(what, of, r,   mean) {
     mean = (1 - r)/(2*(1 + r))
-    if (what ~ /conjugate$/ || of == "bagi-kuhn-conjugate" || what == "RBR") return 0
+    if (what ~ /conjugate$/ || of == "conjugate-spring of bagi-kuhn" || what == "RBR") return 0
     if (of != "wang" && of != "bagi-kuhn" && of !~ /^alonso-/) return ""
     if (what == "PR") return 1
     if (what == "PS") return of == "bagi-kuhn" ? mean : 0
@@ -51,7 +51,7 @@ END {
         row(energy, said[cycle[k]], name[i] " with the paper's moments", cycle[k], name[i])
         row(energy, said[cycle[k]], name[i] " with conjugate moments", cycle[k] " conjugate", name[i])
     }
-    for (k = 1; k <= 2; k++) row(energy, said[cycle[k]], "bagi-kuhn-conjugate: the law of that name", cycle[k], "bagi-kuhn-conjugate")
+    for (k = 1; k <= 2; k++) row(energy, said[cycle[k]], "the law conjugate-spring with bagi-kuhn", cycle[k], "conjugate-spring of bagi-kuhn")
     if (bad) print "a number is not its closed form: " kinematics ", " energy >"/dev/stderr"
     exit bad
 }

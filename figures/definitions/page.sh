@@ -53,7 +53,8 @@ V_r = A ω1 + B ω2 + C V_t they are −A T and −B T, with a force −C T alon
 k_r R1 Δθ1 u in the second.</p>
 $(table energy.csv 'Energy made in a closed cycle')
 <p>So a definition and its source of energy are two things. The paper's moments fit wang alone. In these two cycles conjugate moments make no
-energy for any of them. The program has them as laws for wang (wang-spring) and for bagi-kuhn (bagi-kuhn-conjugate); the other rows take its T and the moments above.
+energy for any of them. The program has them as a law for any definition, conjugate-spring. Here the rows with conjugate moments take the T of
+wang-spring and the moments above.
 Even so, alonso is not the rate of a length: after other closed cycles its spring may stay stretched.</p>
 </section>
 <section>

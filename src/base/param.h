@@ -100,11 +100,18 @@ typedef struct tr_param_table {
 /* The demands of a law with these parameters, a struct as its rows describe it. */
 unsigned tr_param_demands(const tr_param_table *table, const void *par);
 
+/* A choice `old` of `key` that is gone, and what to write now. */
+typedef struct tr_param_renamed {
+    const char *key, *old, *now;
+} tr_param_renamed;
+
 /* What the registry of laws tells the reader of cases, which does not see laws. Name of law i: normal[i]->name. */
 typedef struct tr_param_catalog {
     const tr_param_table *const *normal, *const *friction, *const *rolling;
     int n_normal, n_friction, n_rolling;
     const char *rolling_velocities; /* "wang|bagi-kuhn|..." */
+    const tr_param_renamed *renamed;
+    int n_renamed;
 } tr_param_catalog;
 
 #endif

@@ -2,6 +2,7 @@
 /* trundle measures */
 #include "cli/cli.h"
 
+#include "laws/law.h"
 #include "out/dir.h"
 #include "study/measures.h"
 #include <argp.h>
@@ -54,80 +55,97 @@ static const char doc[] =
     "  Vt                   (v2 - v1).t [m/s]\n"
     "  da,db                arcs per second, s1 and -s2 [m/s]\n"
     "  s1,s2                R1(w1 - beta_dot), -R2(w2 - beta_dot) [m/s]\n"
-    "  Vr_... Us_... Vs_... rolling (r) and sliding (s) by author [m/s]\n"
-    "  Vs_wang              with the arms to the contact point\n"
-    "  Vs_full_radii        with R1 and R2, as Wang prints it\n"
+    "  Vr_... Us_... Vs_... rolling (r) and sliding (s) by author [m/s]; the card says what each is\n"
     "  Vr_tordesillas       w1 - w2 [rad/s]\n"
     "  Vroll_kuhn           material through the contact, along t\n"
+    "  Vs_midpoint          with arms to the middle of the overlap, R - delta/2; R2 - delta at a wall\n"
     "  lambda_dot           common spin of pure sliding [rad/s]\n"
     "  alpha1_dot,..2_dot   spins of pure rolling [rad/s]\n";
 
 /* ---- the card */
 
-/* The columns. An angle (tordesillas) cannot be compared with a velocity: only zero or not can be wrong. */
-static const struct definition {
-    const char *head[2];
-    size_t offset;
-    bool rolling, angle;
-} definitions[] = {
-    {{"", "wang"}, offsetof(tr_motion_measures, Vr_wang), true, false},
-    {{"bagi-", "kuhn"}, offsetof(tr_motion_measures, Vr_bagi_kuhn), true, false},
-    {{"alonso", "min"}, offsetof(tr_motion_measures, Vr_alonso_min), true, false},
-    {{"alonso", "mean"}, offsetof(tr_motion_measures, Vr_alonso_mean), true, false},
-    {{"torde-", "sillas"}, offsetof(tr_motion_measures, Vr_tordesillas), true, true},
-    {{"", "wang"}, offsetof(tr_motion_measures, Vs_wang), false, false},
-    {{"full", "radii"}, offsetof(tr_motion_measures, Vs_full_radii), false, false},
-    {{"iwash.", "oda"}, offsetof(tr_motion_measures, Us_iwashita_oda), false, false},
-    {{"", "alonso"}, offsetof(tr_motion_measures, Vs_alonso), false, false},
-};
-enum { N_DEFINITIONS = sizeof definitions / sizeof *definitions };
+/* A definition on the card: a row of the tables that has a head. */
+typedef struct column {
+    const tr_velocity_measure *row;
+    bool rolling;
+    int k; /* in its table */
+} column;
 
-static double by(const struct definition *d, const tr_motion_measures *m) {
-    double v;
-    memcpy(&v, (const char *)m + d->offset, sizeof v);
-    return v / (d->angle ? TR_CARD_U / TR_CARD_R2 : TR_CARD_U);
+enum { MOST_COLUMNS = 2 * TR_MOST_DEFINITIONS };
+
+static int columns(column *out, bool rolling) {
+    const tr_velocity_measure *row = rolling ? tr_rolling_velocities : tr_sliding_velocities;
+    int n = 0, rows = rolling ? tr_n_rolling_measures : tr_n_sliding_measures;
+    for (int k = 0; k < rows; k++)
+        if (row[k].head) out[n++] = (column){&row[k], rolling, k};
+    return n;
 }
 
-static void print_cell(const struct definition *d, const tr_card_motion *c, const tr_motion_measures *m) {
+/* An angle cannot be compared with a velocity: only zero or not can be wrong. */
+static bool is_angle(const column *c) {
+    return c->row->claims & TR_DEFINES_ANGLE;
+}
+
+static double by(const column *c, const tr_motion_measures *m) {
+    return (c->rolling ? m->rolling : m->sliding)[c->k] / (is_angle(c) ? TR_CARD_U / TR_CARD_R2 : TR_CARD_U);
+}
+
+static void print_cell(const column *d, const tr_card_motion *c, const tr_motion_measures *m, bool last) {
     static const double same = 1e-9;
     double v = by(d, m), wanted = (d->rolling ? c->Vr : c->Vs) / TR_CARD_U;
-    bool wrong = d->angle ? (fabs(v) > same) != (fabs(wanted) > same) : fabs(v - wanted) > same;
+    bool wrong = is_angle(d) ? (fabs(v) > same) != (fabs(wanted) > same) : fabs(v - wanted) > same;
     bool depends = fabs(by(d, m + 1) - v) > same;
     char text[24];
     snprintf(text, sizeof text, fabs(v) < same ? "%2.0f%s%s" : "%6.3f%s%s", fabs(v) < same ? 0 : v, wrong ? "*" : "",
              depends ? "!" : "");
-    printf("%-8s", text);
+    printf(last ? "%s" : "%-8s", text);
+}
+
+/* One of the two lines of a head. */
+static void print_head(const column *c, int line, bool last) {
+    const char *split = strchr(c->row->head, '\n'), *text = line ? split + 1 : c->row->head;
+    printf("%6.*s%s", line ? 6 : (int)(split - text), text, last ? "\n" : "  ");
+}
+
+/* What each definition is; lines of the formula stand below each other. */
+static void print_formulas(const column *c, int n) {
+    for (int k = 0; k < n; k++) {
+        printf("%-13s", c[k].row->name);
+        for (const char *p = c[k].row->formula; *p; p++) {
+            putchar(*p);
+            if (*p == '\n') printf("%13s", "");
+        }
+        putchar('\n');
+    }
 }
 
 static void print_card(const tr_card_motion *card, const tr_motion_measures *measures) {
+    column c[MOST_COLUMNS];
+    int n_rolling = columns(c, true), n = n_rolling + columns(c + n_rolling, false);
     printf("Rolling and sliding of the pure motions, as multiples of the motion's speed U = %g mm/s (R2 = %g mm)\n\n",
            TR_CARD_U * 1e3, TR_CARD_R2 * 1e3);
-    printf("%21s%-40s%s\n", "", "  ----------- rolling V_r -----------", "  --------- sliding V_s -------");
+    printf("%21s%-*s%s\n", "", 8 * n_rolling, "  ----------- rolling V_r -----------",
+           "  --------- sliding V_s -------");
     for (int line = 0; line < 2; line++) {
         printf("%-15s%-6s", line ? "motion" : "", line ? "R1/R2" : "");
-        for (int k = 0; k < N_DEFINITIONS; k++)
-            printf("%6s%s", definitions[k].head[line], k + 1 < N_DEFINITIONS ? "  " : "\n");
+        for (int k = 0; k < n; k++) print_head(&c[k], line, k + 1 == n);
     }
     for (int i = 0; i < TR_CARD_MOTIONS; i += 2) { /* the resting observer; the moving one is next */
         const tr_motion *m = &card[i].motion;
         if (i == 0 || (strcmp(card[i].name, card[i - 2].name) && !isinf(card[i - 2].motion.R1))) printf("\n");
         printf("%-15s%5.3g ", card[i].name, m->R1 / m->R2);
-        for (int k = 0; k < N_DEFINITIONS; k++) print_cell(&definitions[k], &card[i], &measures[i]);
+        for (int k = 0; k < n; k++) print_cell(&c[k], &card[i], &measures[i], k + 1 == n);
         printf("\n");
     }
     fputs("\n"
           "RBR rigid rotation, PR pure rolling (gears), PS pure sliding (equal spins); + RBR: body 1 rests\n"
           "*  differs from what the definition of the motion says (Wang et al. 2015, eqs. 1-6, 14-15)\n"
           "!  an observer who moves and turns sees another value: not objective. All others: the same\n"
-          "\n"
-          "wang         R1R2/(R1+R2) (w1-w2): what a pure pair of moments does work on (= luding, jiang)\n"
-          "bagi-kuhn    (s1+s2)/2: mean flow of material through the contact (= iwashita-oda); a question of\n"
-          "             its own: where * it is not wrong, material does flow through the contact\n"
-          "alonso       min: the slower rim, mean: their mean, if both run the same way; else 0 (as inferred)\n"
-          "tordesillas  w1-w2: an angle, in units of U/R2\n"
-          "V_s: wang with the arms to the contact point; full radii: his eq. 12 as printed, wrong with\n"
-          "overlap; iwashita-oda (= jiang) is half of it, alonso (s1-s2) the same but for overlap\n",
+          "\nrolling V_r\n",
           stdout);
+    print_formulas(c, n_rolling);
+    printf("sliding V_s\n");
+    print_formulas(c + n_rolling, n - n_rolling);
 }
 
 static bool card(FILE *csv, tr_status *st) {

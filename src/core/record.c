@@ -53,7 +53,7 @@ static void collect(void *context, tr_group *g, tr_tile *tile) {
             .delta = tile->delta[i],
             .f_n = tile->f_n[i],
             .f_t = tile->f_t[i],
-            .f_r = g->slot[TR_ROLLING].law->needs & TR_GIVES_F_R ? tile->f_r[i] : 0,
+            .f_r = g->slot[TR_ROLLING].law->needs & TR_GIVES_F_R ? tile->f_r[i] + 0.0 : 0,
             .m1 = tile->m1[i],
             .m2 = tile->m2[i],
             .v_n = tile->v_n[i],

@@ -28,24 +28,57 @@ static double larger(const tangential *t, double f, double r) {
     return 0.5 * (p + q + sqrt((p - q) * (p - q) + 4 * both * both));
 }
 
-/* bodies.delta: the overlap to expect. */
-static double contact_limit(const tr_group *g, tr_pair_bodies bodies, share one, share two) {
-    const tr_slot *spring = &g->slot[TR_NORMAL], *friction = &g->slot[TR_FRICTION], *rolling = &g->slot[TR_ROLLING];
-    double r1 = bodies.R1, r2 = bodies.R2;
-    tr_elastic there = spring->law->elastic(spring->par, r1, r2, bodies.delta);
-    bodies.f_n = there.force, bodies.k_n = there.stiffness;
-    tr_stiffness f = {0}, r = {0}, n = spring->law->stiffness(spring->par, &bodies);
-    if (friction->law->step) f = friction->law->stiffness(friction->par, &bodies);
-    if (rolling->law->step) r = rolling->law->stiffness(rolling->par, &bodies);
+/* The cases of a rolling velocity: its partial derivatives at one direction of (s1, s2) within each half quadrant. That
+ * finds all cases that change where a rim stops or where both run alike. Returns how many; neighbours that are the same
+ * count once. */
+enum { CASES = 8 };
+static int cases_of(const tr_velocity_measure *definition, const tr_pair_bodies *b, double p1[CASES],
+                    double p2[CASES]) {
+    static const double s1[CASES] = {2, 1, -1, -2, -2, -1, 1, 2}, s2[CASES] = {1, 2, 2, 1, -1, -2, -2, -1};
+    double R1[CASES], R2[CASES], g1[CASES];
+    tr_tile tile;
+    tile.n = CASES, tile.R1 = R1, tile.R2 = R2, tile.g1 = g1;
+    for (int k = 0; k < CASES; k++) {
+        R1[k] = b->R1, R2[k] = b->R2, g1[k] = b->R1 > 0 ? b->R1 / (b->R1 + b->R2) : 1;
+        tile.s1[k] = s1[k], tile.s2[k] = s2[k], tile.w1[k] = tile.w2[k] = 0;
+    }
+    definition->partials(&tile, NULL);
+    int n = 0;
+    for (int k = 0; k < CASES; k++)
+        if (n == 0 || tile.p1[k] != p1[n - 1] || tile.p2[k] != p2[n - 1]) p1[n] = tile.p1[k], p2[n] = tile.p2[k], n++;
+    return n;
+}
 
+static double tangential_limit(const tr_pair_bodies *bodies, share one, share two, tr_stiffness f, tr_stiffness r) {
     /* V_s = Vt + r1 w1 + r2 w2 and V_r = l1 w1 - l2 w2 + e Vt */
+    const double r1 = bodies->R1, r2 = bodies->R2;
     const double s = one.inv_m + two.inv_m, l1 = r.lever1, l2 = r.lever2, e = r.along;
     const tangential t = {.slide = s + r1 * r1 * one.inv_I + r2 * r2 * two.inv_I,
                           .roll = l1 * l1 * one.inv_I + l2 * l2 * two.inv_I + e * e * s,
                           .mixed = r1 * l1 * one.inv_I - r2 * l2 * two.inv_I + e * s};
+    return mode_limit(larger(&t, f.k, r.k), larger(&t, f.c, r.c));
+}
+
+/* bodies.delta: the overlap to expect. rolling_velocity: the scene's. */
+static double contact_limit(const tr_group *g, int rolling_velocity, tr_pair_bodies bodies, share one, share two) {
+    const tr_slot *spring = &g->slot[TR_NORMAL], *friction = &g->slot[TR_FRICTION], *rolling = &g->slot[TR_ROLLING];
+    tr_elastic there = spring->law->elastic(spring->par, bodies.R1, bodies.R2, bodies.delta);
+    bodies.f_n = there.force, bodies.k_n = there.stiffness;
+    tr_stiffness f = {0}, r = {0}, n = spring->law->stiffness(spring->par, &bodies);
+    const double s = one.inv_m + two.inv_m;
     /* What mode_limit says, but for the last bit, which turns every number of a chaotic sample into another. */
-    double normal = n.k > 0 && s > 0 ? (sqrt(n.c * n.c + 4 * n.k / s) - n.c) / n.k : mode_limit(0, n.c * s);
-    return fmin(normal, mode_limit(larger(&t, f.k, r.k), larger(&t, f.c, r.c)));
+    double least = n.k > 0 && s > 0 ? (sqrt(n.c * n.c + 4 * n.k / s) - n.c) / n.k : mode_limit(0, n.c * s);
+    if (friction->law->step) f = friction->law->stiffness(friction->par, &bodies);
+    double p1[CASES] = {0}, p2[CASES] = {0};
+    int cases = rolling->law->needs & TR_NEEDS_PARTIALS
+                    ? cases_of(&tr_rolling_velocities[rolling_velocity], &bodies, p1, p2)
+                    : 1;
+    for (int k = 0; k < cases; k++) {
+        bodies.p1 = p1[k], bodies.p2 = p2[k];
+        if (rolling->law->step) r = rolling->law->stiffness(rolling->par, &bodies);
+        least = fmin(least, tangential_limit(&bodies, one, two, f, r));
+    }
+    return least;
 }
 
 static double overlap(const tr_world *world, const tr_group *g, int i) {
@@ -82,7 +115,7 @@ tr_timestep_limit tr_timestep_contacts(const tr_world *world) {
             share two = {z[b] * d->inv[4 * b], z[b] * d->inv[4 * b + 2]};
             share one = {wall->mass > 0 ? wall_z[a < TR_MAX_WALLS ? a : 0] / wall->mass : 0, 0};
             if (!g->walls) one = (share){z[a] * d->inv[4 * a], z[a] * d->inv[4 * a + 2]};
-            double dt = contact_limit(g, bodies, one, two);
+            double dt = contact_limit(g, world->rolling_velocity, bodies, one, two);
             if (dt < limit.dt) limit = (tr_timestep_limit){dt, k, i};
         }
     }
@@ -115,14 +148,15 @@ static share share_of(const tr_world *world, int i, const packings *p) {
 static double pair_limit(const tr_world *world, int i, int j, const packings *p) {
     tr_pair_bodies bodies = tr_world_pair(world, &world->group[0], i, j);
     bodies.delta = p->overlap * fmin(bodies.R1, bodies.R2);
-    return contact_limit(&world->group[0], bodies, share_of(world, i, p), share_of(world, j, p));
+    return contact_limit(&world->group[0], world->rolling_velocity, bodies, share_of(world, i, p),
+                         share_of(world, j, p));
 }
 
 /* wall: the share of the wall that disk i touches. */
 static double wall_limit(const tr_world *world, int i, share wall, const packings *p) {
     tr_pair_bodies bodies = tr_world_pair(world, &world->group[1], 0, i);
     bodies.delta = p->overlap * bodies.R2;
-    return contact_limit(&world->group[1], bodies, wall, share_of(world, i, p));
+    return contact_limit(&world->group[1], world->rolling_velocity, bodies, wall, share_of(world, i, p));
 }
 
 static double smallest_radius(const tr_world *world, int *smallest, int *largest) {
@@ -142,8 +176,7 @@ static share piston_share(const tr_world *world) {
     for (int i = 0; i < world->disks.n; i++) diameters += 2 * world->disks.pos[4 * (size_t)i + 3];
     for (int w = 0; w < world->n_walls; w++) {
         const tr_wall *wall = &world->wall[w];
-        if (wall->mass > 0)
-            piston.inv_m = fmax(piston.inv_m, wall->length * world->disks.n / (diameters * wall->mass));
+        if (wall->mass > 0) piston.inv_m = fmax(piston.inv_m, wall->length * world->disks.n / (diameters * wall->mass));
     }
     return piston;
 }

@@ -100,8 +100,8 @@ static void group_choose(tr_group *g, const tr_scene_contact *contact, bool norm
     group_add_pass(g, "kinematics", g->walls ? tr_kinematics_wall : tr_kinematics_pair, NULL);
     group_add_pass(g, "normal", g->slot[TR_NORMAL].law->step, &g->slot[TR_NORMAL]);
     if (friction->step) group_add_pass(g, "friction", friction->step, &g->slot[TR_FRICTION]);
-    if (rolling->needs & TR_NEEDS_V_R)
-        group_add_pass(g, "rolling velocity", tr_rolling_velocities[rolling_velocity].step, NULL);
+    tr_pass_run *velocity = tr_law_rolling_velocity(rolling, rolling_velocity);
+    if (velocity) group_add_pass(g, "rolling velocity", velocity, NULL);
     if (rolling->step) group_add_pass(g, "rolling", rolling->step, &g->slot[TR_ROLLING]);
     tr_pass_run *torques = rolling->needs & TR_GIVES_F_R ? tr_resultant_rolling_force : tr_resultant_full;
     group_add_pass(g, "resultant", g->spins ? torques : tr_resultant_central, NULL);

@@ -56,6 +56,8 @@ typedef struct tr_tile {
     tr_lane f_r; /* force at the contact point of a law with TR_GIVES_F_R, like f_t: on body 2 it is -f_r t [N/m] */
     /* resultant: force on body 2, on 1 the opposite [N/m]; torques on 1 and 2 [N] */
     tr_lane fx, fy, q1, q2;
+    /* dV_r/ds1, dV_r/ds2 of the scene's definition: for laws with TR_NEEDS_PARTIALS */
+    tr_lane p1, p2;
 } tr_tile;
 
 typedef struct tr_law tr_law;
@@ -76,12 +78,13 @@ typedef void tr_pass_run(tr_tile *tile, const tr_law_data *data);
  * where the motion of the centre is given, an inertia where the spin is; a wall has both. on_path: the driver of kind:
  * contact gives both spins, whatever the inertias. z: contacts that 1 and 2 may have, 0 counts as 1; for tr_law.pair
  * alone. For tr_law.stiffness of friction and rolling laws also the greatest overlap to expect [m], with the normal force
- * [N/m] and stiffness [Pa] there. */
+ * [N/m] and stiffness [Pa] there. p1, p2: for tr_law.stiffness of laws with TR_NEEDS_PARTIALS, dV_r/ds1 and dV_r/ds2. */
 typedef struct tr_pair_bodies {
     double R1, R2, m1, m2, I1, I2;
     double delta, f_n, k_n;
     bool on_path;
     int z1, z2;
+    double p1, p2;
 } tr_pair_bodies;
 
 /* 1/(1/R1 + 1/R2) [m]; of a wall the other's. */
@@ -128,6 +131,7 @@ typedef enum tr_needs {
     TR_ELASTIC_P = 8,       /* a friction law whose P is f_elastic, while f_n > 0; the others take f_n */
     TR_GIVES_F_R = 2, /* a rolling law that also pulls along t: the pipeline ends with tr_resultant_rolling_force */
     TR_NEEDS_Z = 16,  /* its pair constants follow z1 and z2: they are made anew with every list */
+    TR_NEEDS_PARTIALS = 32, /* with TR_NEEDS_V_R: the partial derivatives of that definition too */
 } tr_needs;
 
 /* What a law claims, at its default options. tests/laws/test_claims.c shows each claim to hold, and to fail where it is
@@ -187,13 +191,33 @@ double *tr_law_value(const tr_law *law, const double *par, const char *key);
 const int *tr_law_count(const tr_law *law, const double *par, const char *key); /* the same of a whole number */
 const int *tr_law_choice(const tr_law *law, const double *par, const char *key); /* the same of a choice */
 
-/* The rolling and the sliding velocities by author: a pass that writes tile->v_r (tile->v_s) from s1, s2, the radii and arms. */
+/* What a definition claims. tests/laws/test_definitions.c shows each claim to hold, and to fail where it is not made. */
+typedef enum tr_definition_claims {
+    TR_DEFINES_OBJECTIVE = 1, /* the same for an observer who moves or turns: a function of s1 and s2 */
+    TR_DEFINES_ANGLE = 2,     /* in rad/s; the others are in m/s */
+} tr_definition_claims;
+
+/* A definition of the rolling or of the sliding velocity: a row of rolling_velocity.c or of sliding_velocity.c. */
 typedef struct tr_velocity_measure {
-    const char *name, *source;
-    tr_pass_run *step;
+    const char *name;   /* as rolling_velocity takes it */
+    const char *column; /* of the tables of `trundle measures` */
+    const char *head;   /* of its column on the card, two lines of six characters; NULL: there it repeats another */
+    const char *source, *formula;
+    unsigned claims;       /* tr_definition_claims */
+    tr_pass_run *step;     /* writes tile->v_r (sliding: tile->v_s) after kinematics */
+    tr_pass_run *partials; /* the same and its derivatives by s1 and s2, into tile->p1 and tile->p2 */
 } tr_velocity_measure;
+/* The first tr_n_..._velocities are recorded of every contact; those of rolling may stand in scenes. `trundle measures`
+ * has all. */
 extern const tr_velocity_measure tr_rolling_velocities[], tr_sliding_velocities[];
-extern const int tr_n_rolling_velocities, tr_n_sliding_velocities;
+extern const int tr_n_rolling_velocities, tr_n_sliding_velocities, tr_n_rolling_measures, tr_n_sliding_measures;
+extern const char tr_rolling_velocity_choices[]; /* "|wang|bagi-kuhn|..." */
+
+/* The pass that a rolling law needs before its own: NULL, or of definition number `definition`. */
+static inline tr_pass_run *tr_law_rolling_velocity(const tr_law *rolling, int definition) {
+    const tr_velocity_measure *m = &tr_rolling_velocities[definition];
+    return rolling->needs & TR_NEEDS_PARTIALS ? m->partials : rolling->needs & TR_NEEDS_V_R ? m->step : NULL;
+}
 
 /* The registry as the scene reader wants it. The catalog lives as long as the program. */
 const tr_param_catalog *tr_laws_catalog(void);

@@ -1,48 +1,68 @@
 /* SPDX-License-Identifier: MIT */
-/* What "sliding velocity" means, by author. Friction uses Wang's; the others are to compare. Source [Wang2015 eqs. 12,
- * 19b, 23-24].
+/* What "sliding velocity" means, by author: the table that everything else reads. Friction uses the scene's arms; the
+ * others are to compare. Source [Wang2015 eqs. 12, 19b, 23-24, 27].
  *
- *   wang          Vs = r1 w1 + r2 w2 + Vt = (s1 - s2) |X21|/(R1+R2)   velocity of 2 relative to 1 at the contact point
- *   iwashita-oda  (da + db)/2 per unit time = (s1 - s2)/2             half of it; also Jiang eq. 27
- *   alonso        s1 - s2                                             = Vs where there is no overlap
- *   full-radius   R1 w1 + R2 w2 + Vt                                  eq. 12 as printed: not objective where there is
- *                 overlap, for a rigid rotation w then slides by w times the overlap
+ * To add a definition, add a row; rolling_velocity.c says what is in it. Here the formula may also use
  *
- * |X21| = r1 + r2. At a wall R1 = r1 = 0, the factor is 1 and full-radius is wang.
+ *   L        |X21|, and R1 + R2 for it at a wall
+ *   R1, R2, w1, w2, Vt, delta   radii, spins, velocity of 2 relative to 1 along t, overlap; at a wall R1 = w1 = 0
+ *
+ * A row that is not objective is not a function of s1, s2: its derivatives are those at a fixed spin of the line of
+ * centres.
+ *
+ *   full-radius = s1 - s2 + delta betadot: for a rigid rotation w it slides by w times the overlap
+ *   midpoint    arms R - delta/2, at a wall R2 - delta
  */
 #include "base/vector.h"
 #include "laws/law.h"
 
-TR_VECTOR static void wang(tr_tile *restrict tile, const tr_law_data *data) {
-    (void)data;
-    for (int i = 0; i < tile->n; i++) {
-        double ratio = (tile->r1[i] + tile->r2[i]) / (tile->R1[i] + tile->R2[i]);
-        tile->v_s[i] = (tile->s1[i] - tile->s2[i]) * ratio;
+/* X(function, name, column of `trundle measures`, head of its card, claims, source, formula, V, dV/ds1, dV/ds2) */
+#define RECORDED(X)                                                                                                    \
+    X(wang, "wang", "Vs_wang", "\nwang", TR_DEFINES_OBJECTIVE, "[Wang2015 eq. 12] with arms",                          \
+      "his eq. 12 with the arms R |X21|/(R1+R2)", (s1 - s2) * (L / (R1 + R2)), L / (R1 + R2), -(L / (R1 + R2)))        \
+    X(iwashita_oda, "iwashita-oda", "Us_iwashita_oda", "iwash.\noda", TR_DEFINES_OBJECTIVE,                            \
+      "[Wang2015 eqs. 19b, 27]", "(s1-s2)/2: half of it (= jiang)", 0.5 * (s1 - s2), 0.5, -0.5)                        \
+    X(alonso, "alonso", "Vs_alonso", "\nalonso", TR_DEFINES_OBJECTIVE, "[Wang2015 eqs. 23-24]",                        \
+      "s1-s2: the same but for overlap", s1 - s2, 1.0, -1.0)                                                           \
+    X(full_radius, "full-radius", "Vs_full_radii", "full\nradii", 0, "[Wang2015 eq. 12]",                              \
+      "his eq. 12 as printed, with the radii for arms: wrong with overlap", R1 * w1 + R2 * w2 + Vt, 1.0, -1.0)
+#define ONLY_MEASURED(X)                                                                                               \
+    X(midpoint, "midpoint", "Vs_midpoint", NULL, TR_DEFINES_OBJECTIVE, "[Luding2008]",                        \
+      "arms that end in the middle of the overlap", (R1 - lost) * w1 + (R2 - lost) * w2 + Vt,                          \
+      1 - lost * (1 - g1) / (g1 * R2), lost / R2 - 1)                                                                  \
+    X(jiang, "jiang", "Us_jiang", NULL, TR_DEFINES_OBJECTIVE, "[Wang2015 eq. 27]", "(s1-s2)/2: = iwashita-oda",        \
+      0.5 * (s1 - s2), 0.5, -0.5)
+
+/* What a formula may use, of contact i. */
+#define LANE(tile, i)                                                                                                  \
+    const double s1 = (tile)->s1[i], s2 = (tile)->s2[i], g1 = (tile)->g1[i], R1 = (tile)->R1[i], R2 = (tile)->R2[i],   \
+                 w1 = (tile)->w1[i], w2 = (tile)->w2[i], L = (tile)->r1[i] + (tile)->r2[i],                            \
+                 Vt = (tile)->dvx[i] * (tile)->ny[i] - (tile)->dvy[i] * (tile)->nx[i],                                 \
+                 lost = g1 < 1 ? 0.5 * (tile)->delta[i] : (tile)->delta[i];                                            \
+    (void)s1, (void)s2, (void)g1, (void)R1, (void)R2, (void)w1, (void)w2, (void)L, (void)Vt, (void)lost
+
+#define PASSES(function, name, column, head, claims, source, formula, V, V1, V2)                                       \
+    TR_VECTOR static void function(tr_tile *restrict tile, const tr_law_data *data) {                                  \
+        (void)data;                                                                                                    \
+        for (int i = 0; i < tile->n; i++) {                                                                            \
+            LANE(tile, i);                                                                                             \
+            tile->v_s[i] = V;                                                                                          \
+        }                                                                                                              \
+    }                                                                                                                  \
+    TR_VECTOR static void function##_partials(tr_tile *restrict tile, const tr_law_data *data) {                       \
+        (void)data;                                                                                                    \
+        for (int i = 0; i < tile->n; i++) {                                                                            \
+            LANE(tile, i);                                                                                             \
+            tile->v_s[i] = V, tile->p1[i] = V1, tile->p2[i] = V2;                                                      \
+        }                                                                                                              \
     }
-}
+RECORDED(PASSES)
+ONLY_MEASURED(PASSES)
 
-TR_VECTOR static void iwashita_oda(tr_tile *restrict tile, const tr_law_data *data) {
-    (void)data;
-    for (int i = 0; i < tile->n; i++) tile->v_s[i] = 0.5 * (tile->s1[i] - tile->s2[i]);
-}
+#define ROW(function, name, column, head, claims, source, formula, V, V1, V2)                                          \
+    {name, column, head, source, formula, claims, function, function##_partials},
+#define ONE(...) +1
 
-TR_VECTOR static void alonso(tr_tile *restrict tile, const tr_law_data *data) {
-    (void)data;
-    for (int i = 0; i < tile->n; i++) tile->v_s[i] = tile->s1[i] - tile->s2[i];
-}
-
-TR_VECTOR static void full_radius(tr_tile *restrict tile, const tr_law_data *data) {
-    (void)data;
-    for (int i = 0; i < tile->n; i++) {
-        double Vt = tile->dvx[i] * tile->ny[i] - tile->dvy[i] * tile->nx[i];
-        tile->v_s[i] = tile->R1[i] * tile->w1[i] + tile->R2[i] * tile->w2[i] + Vt;
-    }
-}
-
-const tr_velocity_measure tr_sliding_velocities[] = {
-    {"wang", "[Wang2015 eq. 12] with arms", wang},
-    {"iwashita-oda", "[Wang2015 eqs. 19b, 27]", iwashita_oda},
-    {"alonso", "[Wang2015 eqs. 23-24]", alonso},
-    {"full-radius", "[Wang2015 eq. 12]", full_radius},
-};
-const int tr_n_sliding_velocities = sizeof tr_sliding_velocities / sizeof *tr_sliding_velocities;
+const tr_velocity_measure tr_sliding_velocities[] = {RECORDED(ROW) ONLY_MEASURED(ROW)};
+const int tr_n_sliding_velocities = RECORDED(ONE);
+const int tr_n_sliding_measures = sizeof tr_sliding_velocities / sizeof *tr_sliding_velocities;

@@ -164,6 +164,11 @@ static bool read_choice(tr_resolver *r, tr_entry *e, const char *text) {
         size_t used = strlen(list);
         snprintf(list + used, sizeof list - used, "%s%s", used ? " | " : "", name.text);
     }
+    for (int i = 0; i < r->catalog->n_renamed; i++) {
+        const tr_param_renamed *was = &r->catalog->renamed[i];
+        if (strcmp(was->key, e->param->key) == 0 && strcmp(was->old, text) == 0)
+            return fail(r, e, 0, "`%s` has another name now: write %s", text, was->now);
+    }
     return fail(r, e, 0, "`%s` is not a choice for `%s`%s; allowed is %s", tr_text_show(text).text, e->param->key,
                 tr_text_hint(&near).text, list);
 }

@@ -75,7 +75,7 @@ static void set_line(line *l, const tr_scene_contact *laws, const tr_scene *scen
     l->friction = tr_laws_friction[laws->friction.law];
     l->creeps = l->friction->step && tr_law_value(l->friction, laws->friction.par, "E_star");
     l->rolling = tr_laws_rolling[laws->rolling.law];
-    if (l->rolling->needs & TR_NEEDS_V_R) l->rolling_velocity = tr_rolling_velocities[laws->rolling_velocity].step;
+    l->rolling_velocity = tr_law_rolling_velocity(l->rolling, laws->rolling_velocity);
     bind(l, 0, l->friction, &laws->friction, &bodies, scene->shape, &l->friction_data);
     bind(l, 1, l->rolling, &laws->rolling, &bodies, scene->shape, &l->rolling_data);
     l->tile.n = 1;

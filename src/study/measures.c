@@ -19,14 +19,43 @@ const tr_measures_column tr_motion_columns[TR_MOTION_COLUMNS] = {
     COLUMN(v1x), COLUMN(v1y), COLUMN(v2x), COLUMN(v2y), COLUMN(w1), COLUMN(w2),
 };
 #undef COLUMN
-#define COLUMN(name) {#name, offsetof(tr_motion_measures, name)}
-const tr_measures_column tr_measures_columns[TR_MEASURES_COLUMNS] = {
-    COLUMN(beta_dot), COLUMN(Vt), COLUMN(da), COLUMN(db), COLUMN(s1), COLUMN(s2),
-    COLUMN(Vr_wang), COLUMN(Vs_wang), COLUMN(Vs_full_radii), COLUMN(Vr_bagi_kuhn), COLUMN(Us_iwashita_oda),
-    COLUMN(Vr_alonso_min), COLUMN(Vr_alonso_mean), COLUMN(Vs_alonso), COLUMN(Vr_tordesillas), COLUMN(Vr_jiang),
-    COLUMN(Us_jiang), COLUMN(Vroll_kuhn), COLUMN(lambda_dot), COLUMN(alpha1_dot), COLUMN(alpha2_dot),
-};
 /* clang-format on */
+
+#define COLUMN(name)                                                                                                   \
+    { #name, offsetof(tr_motion_measures, name) }
+static const tr_measures_column before[] = {COLUMN(beta_dot), COLUMN(Vt), COLUMN(da),
+                                            COLUMN(db),       COLUMN(s1), COLUMN(s2)};
+static const tr_measures_column behind[] = {COLUMN(lambda_dot), COLUMN(alpha1_dot), COLUMN(alpha2_dot)};
+enum { BEFORE = sizeof before / sizeof *before, BEHIND = sizeof behind / sizeof *behind };
+
+int tr_measures_columns(void) {
+    return BEFORE + tr_n_rolling_measures + tr_n_sliding_measures + BEHIND;
+}
+
+tr_measures_column tr_measures_column_of(int k) {
+    if (k < BEFORE) return before[k];
+    k -= BEFORE;
+    if (k < tr_n_rolling_measures)
+        return (tr_measures_column){tr_rolling_velocities[k].column,
+                                    offsetof(tr_motion_measures, rolling) + (size_t)k * sizeof(double)};
+    k -= tr_n_rolling_measures;
+    if (k < tr_n_sliding_measures)
+        return (tr_measures_column){tr_sliding_velocities[k].column,
+                                    offsetof(tr_motion_measures, sliding) + (size_t)k * sizeof(double)};
+    return behind[k - tr_n_sliding_measures];
+}
+
+static double value(const void *row, tr_measures_column column) {
+    double v;
+    memcpy(&v, (const char *)row + column.offset, sizeof v);
+    return v;
+}
+
+double tr_measures_of_column(const tr_motion_measures *measures, const char *name) {
+    for (int k = 0; k < tr_measures_columns(); k++)
+        if (!strcmp(tr_measures_column_of(k).name, name)) return value(measures, tr_measures_column_of(k));
+    return NAN;
+}
 
 /* ---- motions through the passes */
 
@@ -58,26 +87,6 @@ static void gather_wall(lanes *b, int i, const tr_motion *m) {
     b->tile.w1[i] = 0, b->tile.w2[i] = m->w2 - m->w1;
 }
 
-static void run_pass(lanes *b, const tr_velocity_measure *measures, int n, const char *name) {
-    for (int k = 0; k < n; k++)
-        if (!strcmp(measures[k].name, name)) {
-            measures[k].step(&b->tile, NULL);
-            return;
-        }
-    assert(!"a measure left the registry");
-}
-
-/* Runs one pass and puts what it wrote into a field of each motion's measures. */
-static void rolling(lanes *b, const char *name, tr_motion_measures *out, size_t field) {
-    run_pass(b, tr_rolling_velocities, tr_n_rolling_velocities, name);
-    for (int i = 0; i < b->tile.n; i++) memcpy((char *)&out[b->of[i]] + field, &b->tile.v_r[i], sizeof(double));
-}
-
-static void sliding(lanes *b, const char *name, tr_motion_measures *out, size_t field) {
-    run_pass(b, tr_sliding_velocities, tr_n_sliding_velocities, name);
-    for (int i = 0; i < b->tile.n; i++) memcpy((char *)&out[b->of[i]] + field, &b->tile.v_s[i], sizeof(double));
-}
-
 /* What no pass computes, and what kinematics left in the tile. g1 = R1/(R1+R2), at a wall 1: there the formulas with g1
  * are the limits for R1 -> inf. */
 static void derive(const lanes *b, int i, const tr_motion *m, tr_motion_measures *out) {
@@ -88,12 +97,7 @@ static void derive(const lanes *b, int i, const tr_motion *m, tr_motion_measures
     out->Vt = Vt;
     out->beta_dot = is_wall(m) ? m->w1 : beta_dot;
     out->s1 = t->s1[i], out->s2 = t->s2[i];
-    out->Vs_wang = t->v_s[i];
     out->da = out->s1, out->db = -out->s2;          /* below [Wang2015 eq. 24] */
-    out->Vr_tordesillas = w1 - w2;                  /* [Wang2015 eq. 25] */
-    out->Vr_jiang = g2 * out->da - g1 * out->db;    /* [Wang2015 eq. 26] */
-    out->Us_jiang = 0.5 * (out->da + out->db);      /* [Wang2015 eq. 27] */
-    out->Vroll_kuhn = -0.5 * (out->da - out->db);   /* [Kuhn2014 eq. 5], along t */
     out->alpha1_dot = g2 * (w1 - w2);               /* [Wang2015 eq. 8a] */
     out->alpha2_dot = -g1 * (w1 - w2);              /* [Wang2015 eq. 8b] */
     out->lambda_dot = g2 * w2 + g1 * w1 - beta_dot; /* [Wang2015 eq. 8c] */
@@ -102,18 +106,21 @@ static void derive(const lanes *b, int i, const tr_motion *m, tr_motion_measures
 static void measure_tile(lanes *b, tr_pass_run *kinematics, const tr_motion *motion, tr_motion_measures *out) {
     kinematics(&b->tile, NULL);
     for (int i = 0; i < b->tile.n; i++) derive(b, i, &motion[b->of[i]], &out[b->of[i]]);
-    rolling(b, "wang", out, offsetof(tr_motion_measures, Vr_wang));
-    rolling(b, "bagi-kuhn", out, offsetof(tr_motion_measures, Vr_bagi_kuhn));
-    rolling(b, "alonso-min", out, offsetof(tr_motion_measures, Vr_alonso_min));
-    rolling(b, "alonso-mean", out, offsetof(tr_motion_measures, Vr_alonso_mean));
-    sliding(b, "iwashita-oda", out, offsetof(tr_motion_measures, Us_iwashita_oda));
-    sliding(b, "alonso", out, offsetof(tr_motion_measures, Vs_alonso));
-    sliding(b, "full-radius", out, offsetof(tr_motion_measures, Vs_full_radii));
+    for (int k = 0; k < tr_n_rolling_measures; k++) {
+        tr_rolling_velocities[k].step(&b->tile, NULL);
+        for (int i = 0; i < b->tile.n; i++) out[b->of[i]].rolling[k] = b->tile.v_r[i];
+    }
+    for (int k = 0; k < tr_n_sliding_measures; k++) {
+        tr_sliding_velocities[k].step(&b->tile, NULL);
+        for (int i = 0; i < b->tile.n; i++) out[b->of[i]].sliding[k] = b->tile.v_s[i];
+    }
 }
 
 bool tr_measures_motions(const tr_motion *motion, int n, tr_motion_measures *measures, tr_status *st) {
     lanes *b = tr_alloc(1, sizeof *b, st);
     if (!b) return false;
+    assert(tr_n_rolling_measures <= TR_MOST_DEFINITIONS && tr_n_sliding_measures <= TR_MOST_DEFINITIONS);
+    memset(measures, 0, (size_t)n * sizeof *measures);
     b->tile.R1 = b->R1, b->tile.R2 = b->R2, b->tile.g1 = b->g1;
     for (int wall = 0; wall < 2; wall++) /* as in an assembly: pairs in tiles of their own, then walls */
         for (int next = 0; next < n;) {
@@ -132,16 +139,10 @@ bool tr_measures_motions(const tr_motion *motion, int n, tr_motion_measures *mea
 
 /* ---- rows out */
 
-static double value(const void *row, const tr_measures_column *column) {
-    double v;
-    memcpy(&v, (const char *)row + column->offset, sizeof v);
-    return v;
-}
-
 void tr_measures_write_header(FILE *out) {
     fputs("case", out);
     for (int k = 0; k < TR_MOTION_COLUMNS; k++) fprintf(out, ",%s", tr_motion_columns[k].name);
-    for (int k = 0; k < TR_MEASURES_COLUMNS; k++) fprintf(out, ",%s", tr_measures_columns[k].name);
+    for (int k = 0; k < tr_measures_columns(); k++) fprintf(out, ",%s", tr_measures_column_of(k).name);
     fputc('\n', out);
 }
 
@@ -153,10 +154,10 @@ void tr_measures_write(FILE *out, const char *label, const tr_motion *motion, co
         fputs(label, out);
     else
         csv_fwrite(out, label, length);
-    for (int k = 0; k < TR_MOTION_COLUMNS; k++) fprintf(out, ",%.17g", value(motion, &tr_motion_columns[k]));
+    for (int k = 0; k < TR_MOTION_COLUMNS; k++) fprintf(out, ",%.17g", value(motion, tr_motion_columns[k]));
     /* + 0.0: a zero has no sign in a table */
-    for (int k = 0; k < TR_MEASURES_COLUMNS; k++)
-        fprintf(out, ",%.17g", value(measures, &tr_measures_columns[k]) + 0.0);
+    for (int k = 0; k < tr_measures_columns(); k++)
+        fprintf(out, ",%.17g", value(measures, tr_measures_column_of(k)) + 0.0);
     fputc('\n', out);
 }
 
@@ -177,11 +178,11 @@ enum { CASE, R1, R2, COLUMNS = 1 + TR_MOTION_COLUMNS };
 static bool flush(table *t, tr_csv *csv) {
     if (!tr_measures_motions(t->motion, t->n, t->measures, csv->st)) return false;
     for (int i = 0; i < t->n; i++) {
-        for (int k = 0; k < TR_MEASURES_COLUMNS; k++)
-            if (!isfinite(value(&t->measures[i], &tr_measures_columns[k])))
+        for (int k = 0; k < tr_measures_columns(); k++)
+            if (!isfinite(value(&t->measures[i], tr_measures_column_of(k))))
                 return tr_csv_fail(csv, t->lines[i],
                                    "%s is not finite: the numbers of this row are too large or too small",
-                                   tr_measures_columns[k].name);
+                                   tr_measures_column_of(k).name);
         tr_measures_write(t->out, t->label[i], &t->motion[i], &t->measures[i]);
     }
     t->n = 0;

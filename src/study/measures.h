@@ -20,24 +20,16 @@ typedef struct tr_motion {
     double R1, R2, x1x, x1y, x2x, x2y, v1x, v1y, v2x, v2y, w1, w2;
 } tr_motion;
 
-/* Its measures, per unit time; the names are the columns of the file. n = X21/|X21|, t = n x k. Velocities [m/s];
- * beta_dot, Vr_tordesillas, lambda_dot, alpha1_dot, alpha2_dot [rad/s]. */
+/* Its measures, per unit time. n = X21/|X21|, t = n x k. Velocities [m/s]; beta_dot, lambda_dot, alpha1_dot,
+ * alpha2_dot and angles [rad/s]. */
+enum { TR_MOST_DEFINITIONS = 24 };
 typedef struct tr_motion_measures {
-    double beta_dot;                      /* spin of the line of centres */
-    double Vt;                            /* (v2 - v1).t */
-    double da, db;                        /* arcs [Wang2015 eq. 17]: da = s1, db = -s2 */
-    double s1, s2;                        /* objective velocities [Wang2015 eqs. 23-24, t reversed] */
-    double Vr_wang;                       /* [Wang2015 eq. 11]; also Luding */
-    double Vs_wang;                       /* arms to the contact point: what friction uses */
-    double Vs_full_radii;                 /* [Wang2015 eq. 12] as printed: not objective where bodies overlap */
-    double Vr_bagi_kuhn;                  /* (s1 + s2)/2 [Wang2015 eqs. 16, 19a] */
-    double Us_iwashita_oda;               /* (da + db)/2 [Wang2015 eq. 19b] */
-    double Vr_alonso_min, Vr_alonso_mean; /* two readings of [Wang2015 model 2] */
-    double Vs_alonso;                     /* s1 - s2 */
-    double Vr_tordesillas;                /* w1 - w2 [Wang2015 eq. 25]: an angle */
-    double Vr_jiang;                      /* [Wang2015 eq. 26] */
-    double Us_jiang;                      /* [Wang2015 eq. 27] */
-    double Vroll_kuhn;                    /* -(da - db)/2: material through the contact, along t [Kuhn2014 eq. 5] */
+    double beta_dot; /* spin of the line of centres */
+    double Vt;       /* (v2 - v1).t */
+    double da, db;   /* arcs [Wang2015 eq. 17]: da = s1, db = -s2 */
+    double s1, s2;   /* objective velocities [Wang2015 eqs. 23-24, t reversed] */
+    double rolling[TR_MOST_DEFINITIONS], sliding[TR_MOST_DEFINITIONS]; /* by the rows of tr_rolling_velocities and of
+                                                                          tr_sliding_velocities */
     double lambda_dot, alpha1_dot, alpha2_dot; /* pure sliding and pure rolling parts [Wang2015 eq. 8] */
 } tr_motion_measures;
 
@@ -47,8 +39,12 @@ typedef struct tr_measures_column {
     size_t offset;
 } tr_measures_column;
 
-enum { TR_MOTION_COLUMNS = 12, TR_MEASURES_COLUMNS = 21, TR_CASE_LABEL = 256 };
-extern const tr_measures_column tr_motion_columns[TR_MOTION_COLUMNS], tr_measures_columns[TR_MEASURES_COLUMNS];
+enum { TR_MOTION_COLUMNS = 12, TR_CASE_LABEL = 256 };
+extern const tr_measures_column tr_motion_columns[TR_MOTION_COLUMNS];
+int tr_measures_columns(void);                   /* how many: those of every definition are there */
+tr_measures_column tr_measures_column_of(int k); /* column k from 0 */
+double tr_measures_of_column(const tr_motion_measures *measures,
+                             const char *name); /* NAN: there is none of this name */
 
 /* measures[i] of motion[i], i < n. Motions must be finite (but for R1), radii and distances above 0. TR_FILE when
  * memory is short. */

@@ -171,7 +171,7 @@ bool tr_exact_cycle(tr_verify *v, tr_status *st) {
     } cycles[] = {{"wang-spring, velocity wang", "wang-spring", "wang", 1, 0},
                   {"wang-spring, velocity bagi-kuhn", "wang-spring", "bagi-kuhn", 1, 1},
                   {"the same, run backwards", "wang-spring", "bagi-kuhn", -1, -1},
-                  {"bagi-kuhn-conjugate", "bagi-kuhn-conjugate", "bagi-kuhn", 1, 0}};
+                  {"conjugate-spring, velocity bagi-kuhn", "conjugate-spring", "bagi-kuhn", 1, 0}};
     tr_pairs_tile *p = tr_alloc(1, sizeof *p, st);
     bool ok = p != NULL;
     for (int k = 0; ok && k < 4; k++) {

@@ -72,7 +72,7 @@ static const struct resistance {
 } resistances[] = {
     {"none", "", 0, 0},
     {"wang-spring", ", mu_r: 0.1", 1, 0},
-    {"bagi-kuhn-conjugate", ", mu_r: 0.1", 0.5, 0.5},
+    {"conjugate-spring", ", rolling_velocity: bagi-kuhn, mu_r: 0.1", 0.5, 0.5},
     {"star-force-proportional", ", mu_r: 0.1", 1, 0},
     {"star-constant-torque", ", mu_r: 0.1", 2, 0}, /* R_eq = 2 R at a floor, "the harmonic mean" */
     {"star-displacement-damping", ", mu_r: 0.1, theta_max: 0.001 deg, damping: yes, damping_multiplier: 0", 2, 0},

@@ -81,7 +81,8 @@ void tr_pairs_run(tr_pairs_tile *p, double dt) {
                          .normal_par = p->par[0],
                          .shape = p->shape};
         for (int k = 0; k < tr_n_rolling_velocities && p->law[s]->needs & TR_NEEDS_V_R; k++)
-            if (!strcmp(tr_rolling_velocities[k].name, p->rolling_velocity)) tr_rolling_velocities[k].step(t, NULL);
+            if (!strcmp(tr_rolling_velocities[k].name, p->rolling_velocity))
+                tr_law_rolling_velocity(p->law[s], k)(t, NULL);
         if (p->law[s]->step) p->law[s]->step(t, &d);
     }
     (p->law[2]->needs & TR_GIVES_F_R ? tr_resultant_rolling_force : tr_resultant_full)(t, NULL);

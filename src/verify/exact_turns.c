@@ -105,7 +105,10 @@ static bool limit_row(tr_verify *v, double R2, tr_status *st) {
     bool ok = tr_world_init(&w, 2, TR_SHAPE_DISK, st);
     for (int i = 0; i < 2 && ok; i++) tr_world_set_disk(&w, i, i * (R1 + R2 - delta), 0, 0, i ? R2 : R1, 1000, false);
     w.dt = 1e-12;
-    ok = ok && tr_exact_laws(&w, "k_n: 1e3, mu: 1, k_t: 4e6, rolling: bagi-kuhn-conjugate, mu_r: 1, k_r: 1e7", 0, st) &&
+    ok = ok &&
+         tr_exact_laws(
+             &w, "k_n: 1e3, mu: 1, k_t: 4e6, rolling: conjugate-spring, rolling_velocity: bagi-kuhn, mu_r: 1, k_r: 1e7",
+             0, st) &&
          tr_step_forces(&w, st);
     /* The law takes the largest arms, R1 and R2 for r1 and r2: delta/L is 3e-4 */
     double want = pair_limit(R1, R2, delta, 4e6, 1e7), got = ok ? tr_timestep_contacts(&w).dt : NAN;
@@ -116,7 +119,10 @@ static bool limit_row(tr_verify *v, double R2, tr_status *st) {
 
 bool tr_exact_conjugate(tr_verify *v, tr_status *st) {
     tr_pairs_tile *p = tr_alloc(1, sizeof *p, st);
-    if (p) tr_pairs_set(p, TR_ROLLING_SLOT, rolling("bagi-kuhn-conjugate"));
+    if (p) {
+        tr_pairs_set(p, TR_ROLLING_SLOT, rolling("conjugate-spring"));
+        p->rolling_velocity = "bagi-kuhn";
+    }
     bool ok = p && tr_exact_row(v, "power + T V_r, largest, over T V_r", "1", power_off(p), 0, 1e-8, NAN,
                                 "rounding of the normal force that is taken off", st);
     free(p);
@@ -147,11 +153,12 @@ static double store_off(tr_pairs_tile *p) {
 }
 
 bool tr_exact_rolling_store(tr_verify *v, tr_status *st) {
-    static const char *const law[] = {"wang-spring", "bagi-kuhn-conjugate", "star-displacement-damping"};
+    static const char *const law[] = {"wang-spring", "conjugate-spring", "star-displacement-damping"};
     tr_pairs_tile *p = tr_alloc(1, sizeof *p, st);
     bool ok = p;
     for (int k = 0; k < 3 && ok; k++) {
         tr_pairs_set(p, TR_ROLLING_SLOT, rolling(law[k]));
+        if (k == 1) p->rolling_velocity = "bagi-kuhn";
         ok = tr_exact_row(v, law[k], "1", store_off(p), 0, 1e-11, NAN, "rounding: the mean of a linear force is exact",
                           st);
     }

@@ -17,7 +17,7 @@
     "mu: 0.3}\n"                                                                                                       \
     "  - {friction: exact, mu: 0.3, elements: 64}\n"
 #define ROLLING                                                                                                        \
-    "laws:\n  - {rolling: wang-spring, mu_r: 0.1, k_r: 1 GPa}\n  - {rolling: bagi-kuhn-conjugate, mu_r: 0.1, k_r: 1 "  \
+    "laws:\n  - {rolling: wang-spring, mu_r: 0.1, k_r: 1 GPa}\n  - {rolling: conjugate-spring, rolling_velocity: bagi-kuhn, mu_r: 0.1, k_r: 1 "  \
     "GPa}\n"                                                                                                           \
     "  - {rolling: star-constant-torque, mu_r: 0.1}\n  - {rolling: star-displacement-damping, mu_r: 0.1, damping: "    \
     "yes}\n"                                                                                                           \
@@ -26,7 +26,7 @@
 enum { FRICTIONS = 6, ROLLINGS = 5 };
 static const char *const friction_name[] = {"coulomb-spring", "dahlberg-alfredsson", "cattaneo-mindlin",
                                             "kuhn-creep",     "vu-quoc-zhang",       "exact"};
-static const char *const rolling_name[] = {"wang-spring", "bagi-kuhn-conjugate", "star-constant-torque",
+static const char *const rolling_name[] = {"wang-spring", "conjugate-spring", "star-constant-torque",
                                            "star-displacement-damping", "star-force-proportional"};
 
 /* The largest over the path, of each law: |Q|/(mu P), rolling moment/(mu_r P R), |Q|, and the last Q/(mu P). */

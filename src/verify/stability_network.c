@@ -266,13 +266,14 @@ static bool set_laws(tr_network *net, tr_random *r, const char *velocity, bool s
         snprintf(value[3], 60, "contact.damping_ratio=%.17g", net->zeta);
     snprintf(value[4], 60, "contact.mu=%.17g", net->mu), snprintf(value[5], 60, "contact.mu_r=%.17g", net->mu_r);
     char rolling[60];
-    snprintf(rolling, sizeof rolling, velocity ? "contact.rolling_velocity=%s" : "contact.rolling=%s",
+    snprintf(rolling, sizeof rolling, "contact.rolling_velocity=%s",
              velocity         ? velocity
-             : net->conjugate ? "bagi-kuhn-conjugate"
-                              : "wang-spring");
-    const char *sets[] = {value[0], value[1], value[2], value[3], value[4], value[5], rolling};
+             : net->conjugate ? "bagi-kuhn"
+                              : "wang");
+    const char *law = net->conjugate ? "contact.rolling=conjugate-spring" : "contact.rolling=wang-spring";
+    const char *sets[] = {value[0], value[1], value[2], value[3], value[4], value[5], rolling, law};
     tr_scene scene;
-    if (!tr_scene_read(&scene, "network", text, strlen(text), sets, 7, tr_laws_catalog(), st)) return false;
+    if (!tr_scene_read(&scene, "network", text, strlen(text), sets, 8, tr_laws_catalog(), st)) return false;
     bool ok = tr_world_set_laws(&net->w, &scene.contact, false, 0, st);
     tr_scene_free(&scene);
     return ok;

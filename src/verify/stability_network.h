@@ -30,7 +30,7 @@ typedef struct tr_network {
     tr_world w;
     double k_n, k_t, k_r, zeta;
     double mu, mu_r;
-    bool conjugate;                      /* bagi-kuhn-conjugate in the place of wang-spring */
+    bool conjugate;                      /* conjugate-spring of bagi-kuhn in the place of wang-spring */
     double rim[TR_NETWORK_DISKS], floor; /* speed of the rims, of the floor: -1, 0 or 1; SLIDING says of what */
     double K[TR_NETWORK_DOF][TR_NETWORK_DOF], C[TR_NETWORK_DOF][TR_NETWORK_DOF]; /* M^-1/2 K M^-1/2, and so for C */
 } tr_network;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What a scene leaves out has no history array, counted by hand: per contact coulomb-spring and wang-spring keep
- * one number each (Q, T), bagi-kuhn-conjugate one, star-force-proportional two; the ledger keeps two of the
+ * one number each (Q, T), conjugate-spring three (T and two derivatives), star-force-proportional two; the ledger keeps two of the
  * normal force (dashpot, overlap), two of friction (Q, energy), two of rolling (moment, energy), of a law with a
  * force its couple too, and of one whose moments are not opposite the other moment. */
 #include "core/ledger.h"
@@ -64,7 +64,7 @@ static void test_the_ledger_keeps_what_the_laws_need(void **state) {
     assert_case(slides, NULL, true, false, 1 + 2 + 2, 2);
     assert_case(rolls, NULL, true, false, 1 + 2 + 2, 2);
     assert_case(sand, NULL, true, true, 2 + 2 + 2 + 2, 2 + 2 + 2 + 2);
-    assert_case(sand, "bagi-kuhn-conjugate", true, false, 2 + 2 + 2 + 3, 2);
+    assert_case(sand, "conjugate-spring", true, false, 4 + 2 + 2 + 3, 2);
     assert_case(sand, "star-force-proportional", true, false, 3 + 2 + 2 + 3, 2);
 }
 

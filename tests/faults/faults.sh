@@ -92,10 +92,10 @@ write_contact() {
         echo "  - {friction: $law, mu: 0.3, k_t: 0.35*E_star}"
     done | sed '/exact\|mindlin\|zhang/s/, k_t.*E_star//'
     spring='friction: coulomb-spring, mu: 0.3, k_t: 0.35*E_star'
-    for law in wang-spring bagi-kuhn-conjugate star-force-proportional star-constant-torque star-displacement-damping
+    for law in wang-spring conjugate-spring star-force-proportional star-constant-torque star-displacement-damping
     do
         case $law in
-        *-spring | *-conjugate) echo "  - {$spring, rolling: $law, mu_r: 0.1, k_r: 1 MPa}" ;;
+        *-spring) echo "  - {$spring, rolling: $law, mu_r: 0.1, k_r: 1 MPa}" ;;
         *-damping) echo "  - {$spring, rolling: $law, mu_r: 0.1, theta_max: 0.1}" ;;
         *) echo "  - {$spring, rolling: $law, mu_r: 0.1}" ;;
         esac

@@ -108,7 +108,7 @@ static void set_up(bench *b, int slot, const tr_law *law, bool swapped, units u)
         b->m1[i] = density * b->R1[i] * b->R1[i] * (sphere ? b->R1[i] : 1);
         b->m2[i] = density * b->R2[i] * b->R2[i] * (sphere ? b->R2[i] : 1);
         double I1 = of_mass * b->m1[i] * b->R1[i] * b->R1[i], I2 = of_mass * b->m2[i] * b->R2[i] * b->R2[i];
-        tr_pair_bodies bodies = {b->R1[i], b->R2[i], b->m1[i], b->m2[i], I1, I2, 0, 0, 0, false, 1, 1};
+        tr_pair_bodies bodies = {b->R1[i], b->R2[i], b->m1[i], b->m2[i], I1, I2, 0, 0, 0, false, 1, 1, 0, 0};
         for (int s = 0; s < 3; s++) {
             double constants[TR_MAX_PAIR];
             if (!b->law[s]->pair) continue;
@@ -150,7 +150,7 @@ static void run(bench *b, double dt) {
         tr_law_data d = data_of(b, s);
         if (b->law[s]->needs & TR_NEEDS_V_R) {
             assert_string_equal(tr_rolling_velocities[0].name, "wang");
-            tr_rolling_velocities[0].step(t, NULL);
+            tr_law_rolling_velocity(b->law[s], 0)(t, NULL);
         }
         if (b->law[s]->step) b->law[s]->step(t, &d);
     }

@@ -87,6 +87,11 @@ static void set_up(const tr_law *normal, const tr_law *friction, const tr_law *r
     }
 }
 
+/* A rolling law on tile->v_r alone; conjugate-spring needs its derivatives too and has test_conjugate.c. */
+static bool takes_v_r(const tr_law *law) {
+    return law->needs & TR_NEEDS_V_R && !(law->needs & TR_NEEDS_PARTIALS);
+}
+
 static void run_laws(double dt) {
     B.tile.dt = dt;
     for (int s = 0; s < 3; s++) {
@@ -178,7 +183,7 @@ static void caps(const tr_law *normal, const tr_law *friction, const tr_law *rol
                 before[i] = t->f_t[i];
             }
         }
-        if (rolling->needs & TR_NEEDS_V_R) { /* the others: test_star.c, test_claims.c */
+        if (takes_v_r(rolling)) { /* the others: test_star.c, test_claims.c, test_conjugate.c */
             tr_law_data d = data_of(2);
             rolling->state(t, &d, energy, bound);
             for (int i = 0; i < TR_TILE; i++) {
@@ -210,7 +215,7 @@ static void test_spring_and_slider(void **state) {
     const tr_param_catalog *c = tr_laws_catalog();
     for (int f = 0; f < c->n_friction; f++)
         for (int r = 0; r < c->n_rolling; r++) {
-            if (!tr_laws_friction[f]->step || !(tr_laws_rolling[r]->needs & TR_NEEDS_V_R)) continue;
+            if (!tr_laws_friction[f]->step || !takes_v_r(tr_laws_rolling[r])) continue;
             set_up(tr_laws_normal[0], tr_laws_friction[f], tr_laws_rolling[r]);
             double path = 0;
             for (int step = 1; step <= 300; step++) {
@@ -324,7 +329,7 @@ static void test_stiffness_is_what_the_law_shows(void **state) {
     const tr_param_catalog *c = tr_laws_catalog();
     for (int f = 0; f < c->n_friction; f++)
         for (int r = 0; r < c->n_rolling; r++) {
-            if (!tr_laws_friction[f]->step || !(tr_laws_rolling[r]->needs & TR_NEEDS_V_R)) continue;
+            if (!tr_laws_friction[f]->step || !takes_v_r(tr_laws_rolling[r])) continue;
             set_up(tr_laws_normal[0], tr_laws_friction[f], tr_laws_rolling[r]);
             for (int i = 0; i < TR_TILE; i++)
                 B.tile.delta[i] = 0.1 * B.R2[i], B.tile.v_n[i] = 0, B.tile.v_s[i] = 1e-3, B.tile.v_r[i] = 1e-3;

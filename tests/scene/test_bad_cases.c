@@ -197,6 +197,11 @@ static const bad_case rows[] = {
      0, NULL,
      "a.yaml:3:31: error: `liner` is not a choice for `normal` (did you mean `linear`?); allowed is linear | sticky | "
      "hertz-line | hertz-sphere\ncontact: {k_n: 1 MPa, normal: liner}\n                              ^"},
+    {"kind: biaxial\nsample: {r_min: 1 mm, r_max: 2 mm}\ncontact: {k_n: 1 MPa, rolling: old-spring}\ncompaction: {pressure: "
+     "1 kPa}\n",
+     0, NULL,
+     "a.yaml:3:32: error: `old-spring` has another name now: write `rolling: wang-spring`\ncontact: {k_n: 1 MPa, "
+     "rolling: old-spring}\n                               ^"},
     {"kind: biaxial\nsample: {r_min: 1 mm, r_max: 2 mm}\ncontact: {k_n: 1 MPa, rolling: none, k_r: 3 mm}\ncompaction: "
      "{pressure: 1 kPa}\n",
      0, NULL,

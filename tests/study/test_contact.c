@@ -213,7 +213,7 @@ static void own_contact_modulus(void **state) {
 
 #define EVERY_LAW                                                                                                      \
     "  - {friction: dahlberg-alfredsson, mu: 0.3, k_t: 1 GPa, rolling: wang-spring, mu_r: 0.1, k_r: k_t}\n"            \
-    "  - {friction: coulomb-spring, mu: 0.3, k_t: 1 GPa, rolling: bagi-kuhn-conjugate, mu_r: 0.1, k_r: k_t}\n"         \
+    "  - {friction: coulomb-spring, mu: 0.3, k_t: 1 GPa, rolling: conjugate-spring, rolling_velocity: bagi-kuhn, mu_r: 0.1, k_r: k_t}\n"         \
     "  - {rolling: star-force-proportional}\n"                                                                         \
     "  - {friction: coulomb-spring, mu: 0, k_t: 1 GPa, rolling: star-constant-torque}\n"                               \
     "  - {rolling: star-displacement-damping, damping: yes}\n"                                                         \

@@ -104,7 +104,7 @@ static void rolls_from_its_own_force(void **state) {
 #define EVERY                                                                                                          \
     "laws:\n"                                                                                                          \
     "  - {friction: coulomb-spring, mu: 0.3, k_t: 1e9, rolling: wang-spring, mu_r: 0.1, k_r: 1e9}\n"                   \
-    "  - {friction: cattaneo-mindlin, mu: 0.3, rolling: bagi-kuhn-conjugate, mu_r: 0.1, k_r: 1e9}\n"                   \
+    "  - {friction: cattaneo-mindlin, mu: 0.3, rolling: conjugate-spring, rolling_velocity: bagi-kuhn, mu_r: 0.1, k_r: 1e9}\n"                   \
     "  - {friction: kuhn-creep, mu: 0.3, rolling: star-constant-torque}\n"                                             \
     "  - {friction: vu-quoc-zhang, mu: 0.3, rolling: star-displacement-damping, damping: yes}\n"                       \
     "  - {rolling: star-force-proportional}\n"

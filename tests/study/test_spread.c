@@ -75,7 +75,7 @@ static void what_is_not_like_the_measured_case_has_no_numbers(void **state) {
                                       "contact.k_r=2*k_t",
                                       "contact.damping_ratio=0.2",
                                       "contact.rolling_velocity=bagi-kuhn",
-                                      "contact.rolling=bagi-kuhn-conjugate",
+                                      "contact.rolling=conjugate-spring",
                                       "contact.friction=none",
                                       "compaction.mu=0.1",
                                       "compaction.pressure=200 kPa",
