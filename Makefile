@@ -1,8 +1,14 @@
 # SPDX-License-Identifier: MIT
-# Two commands do everything: `make biaxial` and `make test`. `make help` lists the rest.
+# Two commands do everything: `make biaxial` and `make test`. `make help` lists all targets, from the texts after ##.
 #
-# The public targets first check what the machine has (.ci/packages installs what is missing), then call make again, because
-# the compiler flags below ask pkg-config, which may not have been there before.
+# The public targets first check what the machine has (.ci/packages installs what is missing). Then they call make again, because
+# the compiler flags below ask pkg-config, and pkg-config may be one of the missing packages.
+
+# As many jobs as processors, unless -j says another number. V=1 shows the commands of the build.
+ifeq ($(filter -j% --jobserver%,$(MAKEFLAGS)),)
+MAKEFLAGS += -j$(shell nproc)
+endif
+step = $(if $(V),,@printf '%-4s %s\n' $(1) $@ &&)
 
 BUILD  ?= build/release
 CFLAGS ?= -O3 -g
@@ -30,10 +36,10 @@ TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 .PHONY: all biaxial creep definitions figures wang kuhn kuhn-film bands replay spread features bench bench-peers demos gallery verify test mutate faults random test-slurm install asan tsan fuzz lint format clean help packages-% build-all build-faults build-random run-demos run-tests run-tsan
 .SECONDARY:
 
-all: packages-build
+all: packages-build ## builds ./trundle (make without a target)
 	@$(MAKE) --no-print-directory build-all
 
-biaxial: packages-build
+biaxial: packages-build ## the 400-disk biaxial test: curves, frames, film in out/biaxial/
 	@$(MAKE) --no-print-directory build-all
 	./trundle run cases/biaxial.yaml -o out/biaxial --force
 	@echo "curve:  out/biaxial/biaxial.svg and .png (needs gnuplot), numbers in out/biaxial/history.csv"
@@ -41,83 +47,83 @@ biaxial: packages-build
 	@echo "video:  out/biaxial/biaxial.mp4 (needs ffmpeg)"
 
 # Two kinds of rolling resistance in the biaxial test, 24 samples: curves, film, verdicts. Stopped and started again it goes on.
-creep: packages-build
+creep: packages-build ## what Kuhn's two kinds of rolling resistance do, 24 samples: page in out/creep/ (2 min)
 	@$(MAKE) --no-print-directory build-all
 	figures/creep/creep.sh ./trundle out/creep
 	@echo "page: out/creep/index.html (pictures need gnuplot, the film ffmpeg), tables: out/creep/*.csv"
 
 # Ten seconds. Runs of the assembly that are there are not run again.
-definitions: packages-build
+definitions: packages-build ## the definitions of rolling compared: page in out/definitions/ (10 s)
 	@$(MAKE) --no-print-directory build-all
 	figures/definitions/definitions.sh ./trundle out/definitions
 	@echo "page: out/definitions/index.html (pictures need gnuplot), tables: out/definitions/*.csv"
 
 # Half a minute. Studies that take longer are made by their own names alone: wang, bands, kuhn, replay, verify.
-figures: packages-build
+figures: packages-build ## the figures of figures/*.gp in out/figures/ (half a minute)
 	@$(MAKE) --no-print-directory build-all $(patsubst figures/%.sh,out/figures/%.png,$(wildcard figures/*.sh))
 
 # Wang's Figs. 5 and 6 with a verdict on each claim. Goes on with what is there; SEEDS=4 is quick.
 SEEDS ?= 32
-wang: packages-build
+wang: packages-build ## Wang's Figs. 5 and 6 with verdicts: out/wang/ (20 min; SEEDS=3 is quick)
 	@$(MAKE) --no-print-directory build-all
 	figures/wang/wang.sh ./trundle out/wang $(SEEDS)
 
 # Kuhn's assemblies with a verdict on each trend. Goes on with what is there; DISKS=400 is quicker than 4096, as Kuhn had. One to two
 # hours.
 DISKS ?= 4096
-kuhn: packages-build
+kuhn: packages-build ## Kuhn's assemblies with verdicts: out/kuhn-4096/ (hours; DISKS=400 is quicker)
 	@$(MAKE) --no-print-directory build-all
 	figures/kuhn/kuhn.sh ./trundle out/kuhn-$(DISKS) $(DISKS)
 
 # Two or three minutes. Runs that are there are not run again.
-kuhn-film: packages-build
+kuhn-film: packages-build ## how contacts of Kuhn's assemblies slip, roll and creep: out/kuhn-film/ (3 min)
 	@$(MAKE) --no-print-directory build-all
 	figures/kuhn/film.sh ./trundle out/kuhn-film
 	@echo "film: out/kuhn-film/slip-fields.mp4 (needs ffmpeg), still: slip-fields.png (needs gnuplot), numbers: classes.csv, correlations.csv"
 
 # Measures anew each time; not among the figures, for it takes a quarter of a minute and is not the same from run to run.
-features: packages-build
+features: packages-build ## what each feature and each law costs: out/figures/features.png (15 s)
 	@$(MAKE) --no-print-directory build-all
 	@$(MAKE) --no-print-directory --what-if figures/features.gp out/figures/features.png
 
 # Minutes.
-bands: packages-build
+bands: packages-build ## 10,000 disks without and with rolling resistance: shear bands (minutes)
 	@$(MAKE) --no-print-directory build-all
 	@$(MAKE) --no-print-directory out/figures/shear-bands.png
 
 # Some 20 minutes of a processor. The table of src/study/spread.c anew, and whether its intervals are right. Goes on with what is there.
-spread: packages-build
+spread: packages-build ## how strength scatters between seeds: the table behind a run's +- (20 min)
 	@$(MAKE) --no-print-directory build-all
 	figures/spread/spread.sh ./trundle out/spread
 
 # Many minutes. Goes on with what is there.
-replay: packages-build
+replay: packages-build ## contacts of three assemblies through the exact half-plane: out/replay/ (10 min or more)
 	@$(MAKE) --no-print-directory build-all
 	figures/replay/replay.sh ./trundle out/replay
 
 # Minutes. Measures anew each time, too.
-bench: packages-build
+bench: packages-build ## time of a step of 100 to 1,000,000 disks: out/figures/bench.png (minutes)
 	@$(MAKE) --no-print-directory build-all
 	@$(MAKE) --no-print-directory --what-if figures/bench.gp out/figures/bench.png
 
 # One or two minutes. LAMMPS is not installed for it.
-bench-peers: packages-build
+bench-peers: packages-build ## the same packing here and in LAMMPS, if that is installed (2 min)
 	@$(MAKE) --no-print-directory build-all
 	@mkdir -p out/figures
 	tests/bench/peers.sh ./trundle out/figures/peers.csv
 
 # What fails does not keep the others away, and is tried again the next time.
-demos: packages-build
+demos: packages-build ## all cases of a few bodies into out/demos/, those that have changed
 	@$(MAKE) --no-print-directory -k run-demos
 
 # The page shows what failed too, so it is made in any case. A second make: only then the results are there to be listed.
-gallery: packages-gallery
+gallery: packages-gallery ## the demos as one page for a lecture: out/gallery/index.html
 	@$(MAKE) --no-print-directory -k run-demos; code=$$?; \
 	    $(MAKE) --no-print-directory $(OUT)/gallery/index.html || code=$$?; exit $$code
 	@echo "page: $(OUT)/gallery/index.html, to take along: $(OUT)/gallery.zip (needs zip)"
 
 # Minutes. The figures show what failed too.
-verify: packages-build
+verify: packages-build ## comparison with answers from elsewhere, error against run time: out/verify/ (minutes)
 	@$(MAKE) --no-print-directory build-all
 	./trundle verify exact precision stability -o out/verify; code=$$?; \
 	    gnuplot -d -e 'dir = "out/verify"' figures/verify/precision.gp; \
@@ -125,98 +131,71 @@ verify: packages-build
 	        figures/verify/stability.gp; exit $$code
 	@echo "tables: out/verify/verify.csv, points.csv; figures: out/verify/precision-*.png, stability.png (need gnuplot)"
 
-test: packages-test
+test: packages-test ## all tests; last line: N passed, N failed
 	@$(MAKE) --no-print-directory run-tests
 
 # Does a change of the code go unseen? Some 150 of them one at a time, in a copy of the tree; half an hour.
-mutate: packages-test
+mutate: packages-test ## changes signs and factors one at a time: which test sees it? (half an hour)
 	@$(MAKE) --no-print-directory build-all
 	tests/mutate/mutate.sh
 
 # Every allocation and every call to the system that fails, one at a time: half an hour on two cores. STRIDE=10 takes a tenth of them; make test a part.
 STRIDE ?= 1
-faults: packages-test
+faults: packages-test ## every allocation and system call fails in turn (half an hour; STRIDE=10 for a tenth)
 	@$(MAKE) --no-print-directory build-all build-faults
 	tests/faults/faults.sh $(TRUNDLE) $(BUILD)/tests/faults $(STRIDE)
 
 # N random scenes with threads and stops; of what goes wrong the scene and its files stay in out/random/. Another SEED, other scenes.
 N    ?= 200
 SEED ?= 1
-random: packages-test
+random: packages-test ## N=200 random scenes, SEED=1; what goes wrong stays in out/random/ (1 min)
 	@$(MAKE) --no-print-directory build-random
 	@mkdir -p $(OUT)/random
 	$(BUILD)/random $(OUT)/random $(N) $(SEED)
 
 # The job array of cases/cluster/ on a Slurm of one node that the test brings up; needs root.
-test-slurm: packages-slurm
+test-slurm: packages-slurm ## a sweep as a job array on a Slurm of one node; needs root
 	@$(MAKE) --no-print-directory build-all
 	TRUNDLE=$(abspath $(TRUNDLE)) tests/cluster/slurm.sh
 
 # The same tests under the address and undefined-behaviour sanitizers: of gcc, and of clang where it is, which sees other faults.
 SANITIZE := CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=undefined'
-asan: packages-test
+asan: packages-test ## the tests under the address and undefined-behaviour sanitizers
 	@$(MAKE) --no-print-directory run-tests BUILD=build/asan TRUNDLE=build/asan/trundle $(SANITIZE)
 	@if .ci/packages has clang clang:asan; then \
 	    $(MAKE) --no-print-directory run-tests BUILD=build/asan-clang TRUNDLE=build/asan-clang/trundle CC=clang CXX=clang++ $(SANITIZE); \
 	else echo 'without clang: it or libclang-rt-dev is not installed'; fi
 
 # Races of threads, told by clang's sanitizer.
-tsan: packages-tsan
+tsan: packages-tsan ## threads under the thread sanitizer
 	@$(MAKE) --no-print-directory build-all
 	@$(MAKE) --no-print-directory run-tsan BUILD=build/tsan PLAIN=$(TRUNDLE) CC=clang CXX=clang++ CFLAGS='-O1 -g -fsanitize=thread'
 
 # Each reader is fed with what libFuzzer makes of the inputs in tests/fuzz/corpus, for so many seconds.
 SECONDS ?= 60
-fuzz: packages-fuzz
+fuzz: packages-fuzz ## hostile input for every reader, SECONDS=60 each; finds stay in build/fuzz/found/
 	@$(MAKE) --no-print-directory run-fuzz BUILD=build/fuzz CC=clang CXX=clang++ \
 	    CFLAGS='-O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined'
 
-install: all
+install: all ## PREFIX=/usr/local DESTDIR=: trundle and the cases
 	install -D -m 755 trundle $(DESTDIR)$(PREFIX)/bin/trundle
 	install -d $(DESTDIR)$(PREFIX)/share/trundle/cases
 	install -m 644 cases/*.yaml $(DESTDIR)$(PREFIX)/share/trundle/cases/
 
-lint: packages-lint
+lint: packages-lint ## clang-tidy and cppcheck
 	clang-tidy --quiet $(LIB_SRC) $(CLI_SRC) -- -D_GNU_SOURCE -Isrc $(shell pkg-config --cflags $(PKGS) 2>/dev/null)
 	cppcheck --quiet --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
 	    --suppress=missingIncludeSystem -D_GNU_SOURCE -DTR_LINT -Isrc src
 
-format:
+format: ## clang-format on all sources
 	clang-format -i $(wildcard src/*/*.[ch] src/*/*.cpp tests/*.h tests/*/*.[ch])
 
-clean:
+clean: ## removes build/, out/ and ./trundle
 	rm -rf build out trundle
 
-help:
-	@echo 'make biaxial   install what is missing, build, run the biaxial test of cases/biaxial.yaml'
-	@echo 'make creep     build, and compare two kinds of rolling resistance, contact moment and creep, in 24 samples: curves, film, verdicts; page in out/creep/index.html; 2 minutes'
-	@echo 'make definitions  build, and compare the definitions of rolling: motions, energy, one contact, an assembly; page in out/definitions/index.html; seconds'
-	@echo 'make test      install what is missing, build, run all tests; last line: N passed, N failed'
-	@echo 'make test-slurm  a sweep as a job array on a Slurm of one node that the test brings up; root'
-	@echo 'make faults    in runs of every kind each allocation and each call to the system fails in turn; half an hour on two cores, STRIDE=10 for a tenth'
-	@echo 'make random    N=200 random scenes of all laws and kinds, with threads and stops; a minute. What goes wrong stays in out/random/; SEED=2 for others'
-	@echo 'make figures   build, and draw figures/*.gp with their data into out/figures/ (needs gnuplot); half a minute'
-	@echo 'make features  build, measure what each feature and each law costs, and draw it: out/figures/features.png'
-	@echo 'make wang      build, sweep the biaxial test as Wang did, and judge each claim: out/wang/; 20 minutes, SEEDS=3 for a minute of it'
-	@echo 'make kuhn      build, shear assemblies with small and large contacts, with and without creep, and judge what Kuhn saw: out/kuhn-4096/; hours, DISKS=400 is quicker'
-	@echo 'make kuhn-film film and still of how contacts of those assemblies use friction, roll and creep: out/kuhn-film/; minutes'
-	@echo 'make bands     build, shear 10,000 disks without and with rolling resistance, and draw where they turn; minutes'
-	@echo 'make spread    build, measure how strength scatters between seeds (the table of a run'\''s +-), and test the interval on 200 fresh seeds: out/spread/; 20 minutes'
-	@echo 'make replay    build, take the contacts of three assemblies through the exact half-plane and every law, and draw errors: out/replay/; many minutes'
-	@echo 'make bench     build, measure a step of 100 to 1000000 disks, and draw it: out/figures/bench.png; minutes'
-	@echo 'make bench-peers  the same packing here and in LAMMPS, if that is installed: time of a step and ratio'
-	@echo 'make demos     build, and run all cases but the biaxial tests into out/demos/, those that have changed'
-	@echo 'make gallery   make demos, and one page of them to show in a lecture: out/gallery/index.html'
-	@echo 'make verify    build, compare with answers from elsewhere, and draw error against run time: out/verify/; minutes'
-	@echo 'make mutate    make some 150 changes of signs and factors in a copy of the tree, and say which test or row of verify sees each; half an hour'
-	@echo 'make           install what is missing, build ./trundle'
-	@echo 'make install   PREFIX=$(PREFIX) DESTDIR=$(DESTDIR): trundle and the cases'
-	@echo 'make asan      the tests under the address and undefined-behaviour sanitizers of gcc, and of clang where it is installed'
-	@echo 'make tsan      tests of the threads, and runs by 2 and 3 of them with frames, under the thread sanitizer (clang)'
-	@echo 'make fuzz      hostile input for every reader, by libFuzzer (clang): SECONDS=60 for each; what it finds is kept in build/fuzz/found/'
-	@echo 'make lint      clang-tidy and cppcheck'
-	@echo 'make format    clang-format on all sources'
-	@echo 'make clean     remove build/, out/ and ./trundle'
+help: ## this list
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-12s %s\n", $$1, $$2}' $(firstword $(MAKEFILE_LIST))
+	@echo 'Missing Debian packages are installed. make V=1 shows the commands of the build.'
 
 packages-%:
 	@.ci/packages $*
@@ -229,16 +208,16 @@ build-all: $(TRUNDLE)
 trundle: $(BUILD)/trundle
 	@cp $< $@
 $(BUILD)/trundle: $(CLI_OBJ) $(BUILD)/libtrundle.a
-	$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
+	$(call step,LINK) $(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
 $(BUILD)/libtrundle.a: $(LIB_OBJ)
 	@rm -f $@
-	ar rcs $@ $^
+	$(call step,AR) ar rcs $@ $^
 $(BUILD)/%.c.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(C_FLAGS) -c -o $@ $<
+	$(call step,CC) $(CC) $(C_FLAGS) -c -o $@ $<
 $(BUILD)/%.cpp.o: %.cpp
 	@mkdir -p $(@D)
-	$(CXX) $(CXX_FLAGS) -c -o $@ $<
+	$(call step,CXX) $(CXX) $(CXX_FLAGS) -c -o $@ $<
 # Another commit, and this one object is made anew.
 $(BUILD)/src/base/commit.c.o: $(BUILD)/commit
 $(BUILD)/src/base/commit.c.o: C_FLAGS += -DTR_COMMIT='"$(COMMIT)"'
@@ -250,7 +229,7 @@ ifneq ($(COMMIT),$(file <$(BUILD)/commit))
 endif
 
 $(BUILD)/tests/%: $(BUILD)/tests/%.c.o $(BUILD)/libtrundle.a
-	$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS) -lcmocka
+	$(call step,LINK) $(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS) -lcmocka
 
 # This test counts allocations.
 $(BUILD)/tests/core/test_allocation: LDFLAGS += -Wl,--wrap=malloc,--wrap=aligned_alloc,--wrap=calloc,--wrap=realloc
@@ -268,24 +247,24 @@ $(BUILD)/tests/base/test_checkpoint: LDFLAGS += -Wl,--wrap=openat,--wrap=write,-
 RANDOM_OBJ := $(patsubst %,$(BUILD)/%.o,$(wildcard tests/random/*.c) src/cli/stop.c)
 build-random: $(BUILD)/random
 $(BUILD)/random: $(RANDOM_OBJ) $(BUILD)/libtrundle.a
-	$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
+	$(call step,LINK) $(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
 
 # What lets calls fail in a program as it is, tests/faults/.
 build-faults: $(BUILD)/tests/faults/memory.so $(BUILD)/tests/faults/calls $(BUILD)/tests/faults/one
 $(BUILD)/tests/faults/memory.so: tests/faults/memory.c
 	@mkdir -p $(@D)
-	$(CC) -std=c17 -D_GNU_SOURCE -Wall -Wextra -Wpedantic -O1 -shared -fPIC -o $@ $<
+	$(call step,CC) $(CC) -std=c17 -D_GNU_SOURCE -Wall -Wextra -Wpedantic -O1 -shared -fPIC -o $@ $<
 $(BUILD)/tests/faults/one: FAULT_LIBS := $(shell pkg-config --libs libpng 2>/dev/null)
 $(BUILD)/tests/faults/calls $(BUILD)/tests/faults/one: $(BUILD)/tests/faults/%: tests/faults/%.c
 	@mkdir -p $(@D)
-	$(CC) -std=c17 -D_GNU_SOURCE -Wall -Wextra -Wpedantic -O1 -o $@ $< $(FAULT_LIBS)
+	$(call step,CC) $(CC) -std=c17 -D_GNU_SOURCE -Wall -Wextra -Wpedantic -O1 -o $@ $< $(FAULT_LIBS)
 
 # A fuzz target is driven by replay.c, which reads files, or by libFuzzer.
 FUZZ := $(patsubst tests/fuzz/fuzz_%.c,%,$(wildcard tests/fuzz/fuzz_*.c))
 $(BUILD)/tests/fuzz/replay_%: $(BUILD)/tests/fuzz/fuzz_%.c.o $(BUILD)/tests/fuzz/replay.c.o $(BUILD)/libtrundle.a
-	$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
+	$(call step,LINK) $(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
 $(BUILD)/fuzz_%: $(BUILD)/tests/fuzz/fuzz_%.c.o $(BUILD)/libtrundle.a
-	$(CXX) $(CFLAGS) -fsanitize=fuzzer $(LDFLAGS) -o $@ $^ $(LIBS)
+	$(call step,LINK) $(CXX) $(CFLAGS) -fsanitize=fuzzer $(LDFLAGS) -o $@ $^ $(LIBS)
 # Threads alone, and the sharing of few and many disks by 2 and 3 of them; then whole runs.
 TSAN := $(BUILD)/tests/base/test_threads_run $(BUILD)/tests/core/test_threads
 run-tsan: $(BUILD)/trundle $(TSAN)
