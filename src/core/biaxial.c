@@ -7,6 +7,7 @@
 #include "core/crush.h"
 #include "core/ledger.h"
 #include "core/measures.h"
+#include "core/pipeline.h"
 #include "core/sample.h"
 #include "core/step.h"
 #include "core/timestep.h"

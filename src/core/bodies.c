@@ -2,6 +2,7 @@
 #include "core/bodies.h"
 
 #include "base/alloc.h"
+#include "core/pipeline.h"
 #include "core/resolution.h"
 #include "core/step.h"
 #include "core/timestep.h"
@@ -32,12 +33,6 @@ static void circle(tr_bodies *b) {
         double *vel = all->vel + 4 * (size_t)i;
         vel[0] = -d->orbit * (pos[1] - d->orbit_y), vel[1] = d->orbit * (pos[0] - d->orbit_x);
     }
-}
-
-void tr_bodies_gravity(const tr_bodies *b, double gravity[2]) {
-    const struct tr_scene_gravity *g = &b->scene->gravity;
-    double angle = g->turn * (double)b->world.steps * b->world.dt, c = cos(angle), s = sin(angle);
-    gravity[0] = c * g->x - s * g->y, gravity[1] = s * g->x + c * g->y;
 }
 
 static void weigh(tr_bodies *b) {
@@ -109,11 +104,4 @@ bool tr_bodies_init(tr_bodies *b, const tr_scene *scene, tr_status *st) {
 
 void tr_bodies_free(tr_bodies *b) {
     tr_world_free(&b->world);
-}
-
-void tr_bodies_velocity(const tr_world *world, int i, double velocity[3]) {
-    for (int k = 0; k < 3; k++) {
-        int lane = 4 * i + k;
-        velocity[k] = world->disks.vel[lane] + 0.5 * world->dt * world->disks.inv[lane] * world->disks.force[lane];
-    }
 }

@@ -4,14 +4,7 @@
 #ifndef TR_BODIES_H
 #define TR_BODIES_H
 
-#include "core/world.h"
-
-typedef struct tr_bodies {
-    tr_world world;  /* do not move: see tr_world */
-    double dt_bound; /* [s]; infinite if nothing that may touch can vibrate */
-    int64_t steps;   /* to take until time_end */
-    const tr_scene *scene;
-} tr_bodies;
+#include "core/bodies_state.h"
 
 /* Velocities of the scene are those of time 0: the half step back that leapfrog wants is taken here, so that positions
  * are of second order; none where a motion is prescribed, for 1/m or 1/I is 0 there. Keeps the arcs da, db. A given dt
@@ -24,12 +17,5 @@ void tr_bodies_free(tr_bodies *b);
  * the new instant, half a step ahead of the free disks': two orbits that turn as one body at the rate W neither slide
  * nor approach then, where by the chords V_s = |X21| W (W dt)^2/6 and v_n = |X21| W (W dt)/2. */
 void tr_bodies_advance(tr_bodies *b);
-
-/* After tr_step_forces: gravity of that time [m/s^2]. */
-void tr_bodies_gravity(const tr_bodies *b, double gravity[2]);
-
-/* After tr_step_forces: velocity of disk i at the same time as its position, v = v^(n-1/2) + dt F/(2m): vx, vy, w. What
- * is prescribed has it in vel already. */
-void tr_bodies_velocity(const tr_world *world, int i, double velocity[3]);
 
 #endif

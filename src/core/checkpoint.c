@@ -2,7 +2,7 @@
 #include "core/checkpoint.h"
 
 #include "core/list.h"
-#include "core/shares.h"
+#include "core/shares_memory.h"
 #include <math.h>
 
 /* Pairs are sorted. Of two disks a is below b. */

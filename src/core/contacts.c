@@ -70,7 +70,7 @@ static bool fail_crushed(tr_world *world, bool walls, int a, int b, double delta
 
 static double wall_overlap(const tr_world *world, int wall, int i) {
     const double *pos = world->disks.pos + 4 * (size_t)i;
-    return pos[3] - tr_contacts_wall_distance(&world->wall[wall], pos);
+    return pos[3] - tr_wall_distance(&world->wall[wall], pos);
 }
 
 /* Every disk and wall is looked at: n_walls n, at refreshes only. */

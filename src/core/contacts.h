@@ -5,17 +5,10 @@
 
 #include "core/world.h"
 
-#define TR_LARGEST_OVERLAP 0.3 /* of the smaller radius: beyond it no contact law means anything */
-
 /* Looks whether the state is finite and no disk leaps in one step; renews the lists of both groups: every pair closer than the thin skin,
  * sorted by (a, b). Histories follow the ids (list.h).
  * Searches with the broad phase when its wider list may have missed a pair. No overlap may be above 0.3 R, and dt not above the
  * stability bound of the touching contacts (unless allow_unstable). Else TR_NUMERICAL naming disk, contact, step and time. */
 bool tr_contacts_refresh(tr_world *world, tr_status *st);
-
-/* Distance of a disk's centre from a wall [m]. */
-static inline double tr_contacts_wall_distance(const tr_wall *wall, const double *pos) {
-    return (pos[0] - wall->x) * wall->nx + (pos[1] - wall->y) * wall->ny;
-}
 
 #endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "core/crush.h"
 
-#include "core/contacts.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "core/resolution.h"
 
-#include "core/contacts.h"
 #include "core/timestep.h"
 #include <math.h>
 #include <stdio.h>
@@ -75,7 +74,7 @@ static double smaller(const pair *p) {
 static pair wall_pair(const run *r, int wall, int i) {
     const tr_wall *w = &r->b->world.wall[wall];
     const double *q = r->b->world.disks.pos + 4 * (size_t)i;
-    pair p = {.a = -1 - wall, .b = i, .R2 = q[3], .gap = tr_contacts_wall_distance(w, q) - q[3]};
+    pair p = {.a = -1 - wall, .b = i, .R2 = q[3], .gap = tr_wall_distance(w, q) - q[3]};
     double v[3], one[2], two[2];
     tr_bodies_velocity(&r->b->world, i, v);
     disk_reach(r, i, two);

@@ -12,7 +12,7 @@
 #define TR_RESOLUTION_H
 
 #include "core/biaxial.h"
-#include "core/bodies.h"
+#include "core/bodies_state.h"
 
 #define TR_RESOLVED 1e-6 /* of an overlap, of the way of a step: what rounding may take */
 

@@ -4,51 +4,14 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "core/cell.h"
+#include "core/shares_memory.h"
 #include "core/tile.h"
 #include <stdlib.h>
 #include <string.h>
 
-/* What a tile adds to the sums over all. */
-typedef struct sums {
-    double virial[2], lost[3], made[TR_N_SLOTS]; /* lost, made: of the ledger */
-    int touching;
-    bool mixed; /* the tile has disks of an earlier thread */
-} sums;
-
-/* A part of the force on a disk that waits for its turn. */
-typedef struct late {
-    tr_quad force;
-    int disk;
-} late;
-
-typedef struct part {
-    tr_tile tile;
-    late *late;
-    int n_late, capacity;
-} part;
-
-struct tr_shares {
-    int threads, tiles; /* that the rest is for */
-    int64_t list;       /* and the number of the list */
-    uint16_t *owner;    /* of each disk the first thread that has a contact of it */
-    sums *sums;         /* of each tile */
-    int n_sums;         /* how many there is room for */
-    part *part;         /* of each thread */
-    double dt;          /* of this step */
-};
-
-void tr_shares_free(tr_shares *s) {
-    if (!s) return;
-    for (int k = 0; k < s->threads; k++) free(s->part[k].late);
-    free(s->owner), free(s->sums), free(s->part), free(s);
-}
-
-size_t tr_shares_bytes(const tr_shares *s, int n) {
-    if (!s) return 0;
-    size_t bytes = sizeof *s + (size_t)n * sizeof *s->owner + (size_t)s->n_sums * sizeof *s->sums;
-    for (int k = 0; k < s->threads; k++) bytes += sizeof *s->part + (size_t)s->part[k].capacity * sizeof(late);
-    return bytes;
-}
+typedef tr_share_sums sums;
+typedef tr_share_late late;
+typedef tr_share_part part;
 
 /* ---- who owns what */
 

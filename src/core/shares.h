@@ -18,9 +18,4 @@
 /* Adds the forces of the contacts of disks. dt: as of a pass. */
 bool tr_shares_forces(tr_world *world, double dt, tr_status *st);
 
-void tr_shares_free(tr_shares *shares);
-
-/* Of n disks. */
-size_t tr_shares_bytes(const tr_shares *shares, int n);
-
 #endif

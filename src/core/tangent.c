@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "core/tangent.h"
 
-#include "core/contacts.h"
 #include <math.h>
 
 /* Of the smaller radius. Overlaps below are of rounding: 30 mm - 20 mm - 10 mm is 3e-18 m. Gaps below are of rounded
@@ -20,7 +19,7 @@ static pair pair_of(const tr_world *w, int a, int b) {
     const double *q = w->disks.pos + 4 * (size_t)b;
     if (a < 0) {
         const tr_wall *wall = &w->wall[-1 - a];
-        return (pair){a, b, 0, q[3], wall->nx, wall->ny, tr_contacts_wall_distance(wall, q) - q[3]};
+        return (pair){a, b, 0, q[3], wall->nx, wall->ny, tr_wall_distance(wall, q) - q[3]};
     }
     const double *p = w->disks.pos + 4 * (size_t)a, dx = q[0] - p[0], dy = q[1] - p[1], L = sqrt(dx * dx + dy * dy);
     return (pair){a, b, p[3], q[3], dx / L, dy / L, L - p[3] - q[3]};

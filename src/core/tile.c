@@ -3,7 +3,6 @@
 
 #include "base/vector.h"
 #include "core/cell.h"
-#include "core/contacts.h"
 #include <string.h>
 
 /* ---- gather: from the bodies to the tile ---- */
@@ -62,7 +61,7 @@ TR_VECTOR static void gather_walls(tr_tile *restrict tile, const tr_group *g, co
             size_t at = 4 * (size_t)g->b[tile->first + k];
             const double *q = d->pos + at, *v = d->vel + at;
             tile->nx[k] = w.nx, tile->ny[k] = w.ny;
-            tile->dx[k] = tr_contacts_wall_distance(&w, q);
+            tile->dx[k] = tr_wall_distance(&w, q);
             tile->dvx[k] = v[0] - w.vx, tile->dvy[k] = v[1] - w.vy;
             tile->w1[k] = 0, tile->w2[k] = v[2];
         }

@@ -2,7 +2,6 @@
 #include "core/timestep.h"
 
 #include "core/cell.h"
-#include "core/contacts.h"
 #include <math.h>
 #include <string.h>
 
@@ -83,7 +82,7 @@ static double contact_limit(const tr_group *g, int rolling_velocity, tr_pair_bod
 
 static double overlap(const tr_world *world, const tr_group *g, int i) {
     const double *q = world->disks.pos + 4 * (size_t)g->b[i];
-    if (g->walls) return q[3] - tr_contacts_wall_distance(&world->wall[g->a[i]], q);
+    if (g->walls) return q[3] - tr_wall_distance(&world->wall[g->a[i]], q);
     const double *p = world->disks.pos + 4 * (size_t)g->a[i];
     return p[3] + q[3] - tr_cell_distance(&world->cell, p, q, NULL);
 }

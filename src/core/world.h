@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The state of a scene: disks, walls, contacts, and the pipeline of passes chosen for it. The step itself is in step.c.
+/* The state of a scene: disks, walls, contacts, and the pipeline of passes. pipeline.c chooses the passes; step.c has the step.
  *
  * DATA PICTURE. A disk is four doubles in each of four arrays, so that one disk is one 32-byte load and the integrator
  * is one loop over 4n numbers:
@@ -39,6 +39,8 @@ enum {
     TR_GROUP_HIST = 3 * TR_MAX_HIST + 32, /* laws of three slots, and the sinks, which have 25 in all */
     TR_GROUP_PAIR = 5 + 3 * TR_MAX_PAIR /* R1, R2, g1, the image of b in a periodic cell, and the laws of three slots */
 };
+
+#define TR_LARGEST_OVERLAP 0.3 /* of the smaller radius: beyond it no contact law means anything */
 
 typedef struct tr_disks {
     int n;
@@ -107,8 +109,6 @@ typedef struct tr_pass {
     bool sink;
     tr_law_data data;
 } tr_pass;
-
-enum { TR_NORMAL, TR_FRICTION, TR_ROLLING, TR_N_SLOTS };
 
 /* Contacts that share a pipeline. In the group of walls, a is the number of a wall. */
 struct tr_group {
@@ -184,15 +184,10 @@ typedef struct tr_world {
     tr_crush crush; /* what tr_step_forces has failed for, if it was that */
 } tr_world;
 
-/* Which sinks a world keeps. */
-typedef enum tr_sinks {
-    TR_SINK_LEDGER = 1, /* energy by mechanism */
-    TR_SINK_ARCS = 2,   /* da, db of each contact since it formed */
-} tr_sinks;
-
 /* A world of n disks or spheres (numbers 0..n-1), all at rest at 0 with radius and mass 0: the caller sets disks, then
- * walls, then laws. A world must not be copied or moved once its laws are set (passes point into it), nor radii, masses, what is held and
- * the number of walls be changed before they are set anew: lists and the bound of the step keep what follows from these. */
+ * walls, then laws (pipeline.h). A world must not be copied or moved once its laws are set: passes point into it. Radii,
+ * masses, what is held and the number of walls must not change before the laws are set anew: lists and the bound of the
+ * step keep what follows from these. */
 bool tr_world_init(tr_world *world, int n, tr_shape shape, tr_status *st);
 void tr_world_free(tr_world *world);
 
@@ -201,17 +196,16 @@ void tr_world_free(tr_world *world);
 void tr_world_set_disk(tr_world *world, int i, double x, double y, double angle, double radius, double density,
                        bool prescribed);
 
-/* Chooses the pipeline: disk-disk contacts get the laws of `contact`, wall-disk contacts too, or only the normal law if
- * smooth_walls. Contact histories start at zero. Call it after the radii are set. */
-bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool smooth_walls, unsigned sinks,
-                       tr_status *st);
-
-/* The same, but the contacts of disks that have the same law of friction as before keep its histories. */
-bool tr_world_change_laws(tr_world *world, const tr_scene_contact *contact, bool smooth_walls, unsigned sinks,
-                          tr_status *st);
-
 /* Adds a sink at the end of a pipeline, with n_hist arrays of its own. */
 void tr_group_attach(tr_group *group, tr_sink *sink, const char *name, tr_pass_run *run, int n_hist);
+
+/* Frees the arrays of a group. It then has no pipeline. */
+void tr_group_free(tr_group *group);
+
+/* Distance of a disk's centre from a wall [m]. */
+static inline double tr_wall_distance(const tr_wall *wall, const double *pos) {
+    return (pos[0] - wall->x) * wall->nx + (pos[1] - wall->y) * wall->ny;
+}
 
 /* Two bodies of a group, a wall and a disk in that of walls, infinitely heavy where their motion is given. Their overlap is
  * for the caller to fill in. */

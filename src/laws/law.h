@@ -182,6 +182,8 @@ struct tr_law {
     double (*overlap)(const void *par, double R1, double R2, double force);
 };
 
+enum { TR_NORMAL, TR_FRICTION, TR_ROLLING, TR_N_SLOTS };
+
 /* The registry. Index = tr_scene_law.law. */
 extern const tr_law *const tr_laws_normal[], *const tr_laws_friction[], *const tr_laws_rolling[];
 extern const tr_law tr_friction_none, tr_rolling_none; /* their step is NULL */

@@ -15,6 +15,7 @@
  * nve/sphere disc has m R^2/2.
  * SAME TIME. Velocity Verlet makes the half step v + dt/2 F/m, leapfrog has it: LAMMPS starts with v^(-1/2) + dt/2 F/m, and the
  * kinetic energies are those of v^(n-1/2) + dt/2 F/m. */
+#include "core/pipeline.h"
 #include "study/bench.h"
 
 #include "core/biaxial.h"

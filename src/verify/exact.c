@@ -2,6 +2,7 @@
 /* Group `exact`: the registry, and what its files share. */
 #include "verify/exact.h"
 
+#include "core/pipeline.h"
 #include "laws/law.h"
 #include <stdio.h>
 #include <string.h>

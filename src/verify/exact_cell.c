@@ -10,6 +10,7 @@
  *   drag     The drag of compaction acts against the flow: disks that follow the cell feel nothing and keep x/L, the c
  *            of others falls by (1 - drag dt) L/L' in each step.
  *   hold     The servo holds what it is asked to hold, the lateral or the mean stress. */
+#include "core/pipeline.h"
 #include "verify/exact.h"
 
 #include "base/random.h"

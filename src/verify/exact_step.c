@@ -2,6 +2,7 @@
 /* The bound on the step, 2/w of the stiffest mode, against the largest eigenvalue w^2 of M^-1/2 K M^-1/2: in closed form for a
  * chain of N free disks, w = 2 sqrt(k/m) cos(pi/(2N)), by power iteration for lattices, whose K is put together here from
  * the definitions of the contact velocities. Then leapfrog itself, just below and just above. */
+#include "core/pipeline.h"
 #include "verify/exact.h"
 
 #include "base/alloc.h"

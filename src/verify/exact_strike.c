@@ -2,6 +2,7 @@
 #include "verify/exact_strike.h"
 
 #include "core/ledger.h"
+#include "core/pipeline.h"
 #include "core/step.h"
 #include "laws/law.h"
 #include <stdio.h>

@@ -12,7 +12,7 @@ const tr_verification tr_verify_stability[] = {
     {"stability", "not-conjugate", "networks with every rolling velocity, at a tenth of the bound",
      "energy, symmetric K", "laws/rolling_wang_spring.c: m2 = -R_eff T", tr_stability_not_conjugate},
     {"stability", "no-answer", "states that must end in a failure that says where", STATED,
-     "core/world.c: the thin skin not bounded by the smallest radius", tr_stability_failures},
+     "core/pipeline.c: the thin skin not bounded by the smallest radius", tr_stability_failures},
     {"stability", "coefficients", "mu 0 to 10, mu_r 0 to 100, stiffness ratios 1e-6 to 1e6", "rigid disk on a slope",
      "laws/friction_coulomb_spring.c: no upper bound", tr_stability_coefficients},
     {"stability", "thresholds", "a slope of exactly mu_r, and of exactly mu", "rigid disk on a slope",

@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "base/random.h"
+#include "core/pipeline.h"
 #include "core/step.h"
 #include <stdio.h>
 #include <string.h>

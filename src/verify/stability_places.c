@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Far from the origin, and squeezed from all sides. */
 #include "base/alloc.h"
+#include "core/pipeline.h"
 #include "core/step.h"
 #include "verify/stability.h"
 #include <stdio.h>

@@ -6,6 +6,7 @@
  * EPS: one rounding; a number after k steps has k of them at most, each of its largest value on the way. */
 #include "core/bodies.h"
 #include "core/convergence.h"
+#include "core/pipeline.h"
 #include "core/record.h"
 #include "core/worlds.h"
 

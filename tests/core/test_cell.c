@@ -4,6 +4,7 @@
 #include "core/cell.h"
 #include "core/contacts.h"
 #include "core/ledger.h"
+#include "core/pipeline.h"
 #include "core/record.h"
 #include "core/worlds.h"
 

@@ -3,6 +3,7 @@
  * References: conservation to rounding; a run of the same disks seen by a moving or turned observer; a packing turned
  * as a rigid body, in which nothing happens. */
 #include "core/ledger.h"
+#include "core/pipeline.h"
 #include "core/worlds.h"
 
 enum { SIDE = 7, N = SIDE * SIDE };

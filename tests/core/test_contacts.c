@@ -2,6 +2,7 @@
 /* The list of contacts. References: every pair looked at (is a touching one missing?), the path of a contact summed up
  * by hand (is its history whole?), and the same run with other skins, another finder, another world beside it, or
  * looked at in between (are the bits the same?). */
+#include "core/pipeline.h"
 #include "core/record.h"
 #include "core/worlds.h"
 

@@ -9,6 +9,7 @@
  */
 #include "core/checkpoint.h"
 #include "core/ledger.h"
+#include "core/pipeline.h"
 #include "core/worlds.h"
 #include <unistd.h>
 

@@ -8,6 +8,7 @@
  * and invariance: what is given does not care for the density. */
 #include "core/bodies.h"
 #include "core/ledger.h"
+#include "core/pipeline.h"
 #include "core/record.h"
 #include "core/worlds.h"
 

@@ -4,6 +4,7 @@
  * systems without friction and dashpots, which lose nothing. */
 #include "core/convergence.h"
 #include "core/ledger.h"
+#include "core/pipeline.h"
 #include "core/worlds.h"
 
 /* A sheared sample at dt = safety * bound; the same packing for each. Residual over work. */

@@ -2,6 +2,7 @@
 /* Places that cannot carry an overlap are told of, and what is not told of is right: by the closed form of an elastic
  * blow, in which equal disks exchange their velocities wherever they are. */
 #include "assert_close.h"
+#include "core/bodies.h"
 #include "core/resolution.h"
 #include "core/worlds.h"
 #include <glob.h>

@@ -10,6 +10,7 @@
  *
  * The tangential spring is not rigid: Vs swings with w_t = sqrt(3 k_t/m), and a velocity may be off by g/w_t. */
 #include "core/convergence.h"
+#include "core/pipeline.h"
 #include "core/worlds.h"
 
 static const double RADIUS = 0.01, DENSITY = 1000, G = 10;

@@ -10,6 +10,7 @@
  * Slip to roll on a floor: Vs slows by 7/2 mu g: t = 2 v0/(7 mu g), v = 5/7 v0, and 2/7 of the energy is lost. */
 #include "core/convergence.h"
 #include "core/ledger.h"
+#include "core/pipeline.h"
 #include "core/worlds.h"
 
 static const double RADIUS = 0.01, DENSITY = 1000, E_STAR = 1e8, G = 10;

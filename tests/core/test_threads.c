@@ -4,6 +4,7 @@
  * reference. */
 #include "core/increments.h"
 #include "core/paths.h"
+#include "core/pipeline.h"
 #include "core/worlds.h"
 #include <string.h>
 

@@ -7,6 +7,7 @@
 #include "assert_close.h"
 #include "base/random.h"
 #include "core/biaxial.h"
+#include "core/pipeline.h"
 #include "core/step.h"
 #include "core/timestep.h"
 #include <stdlib.h>

@@ -5,6 +5,7 @@
  * limit of a large disk, and a world: ledger and stability bound. */
 #include "core/convergence.h"
 #include "core/ledger.h"
+#include "core/pipeline.h"
 #include "core/record.h"
 #include "core/worlds.h"
 

@@ -10,6 +10,7 @@
  * moment limiter. */
 #include "base/random.h"
 #include "core/ledger.h"
+#include "core/pipeline.h"
 #include "core/record.h"
 #include "core/worlds.h"
 

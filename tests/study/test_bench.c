@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The arithmetic of trundle bench, on made-up data, and its packing of tiles. */
 #include "assert_close.h"
+#include "core/pipeline.h"
 #include "core/record.h"
 #include "core/step.h"
 #include "laws/law.h"

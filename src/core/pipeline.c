@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: MIT */
+#include "core/pipeline.h"
+
+#include "base/alloc.h"
+#include "core/arcs.h"
+#include "core/contacts.h"
+#include "core/ledger.h"
+#include "core/shares_memory.h"
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Of the mean diameter; the speed is flat around these. Overlaps are looked at when a body has moved half the thin skin: it
+ * must be no thicker than what the smallest disk may overlap. */
+static const double WIDE_SKIN = 0.30, THIN_SKIN = 0.025;
+
+static void group_take(tr_group *g, int which, const tr_law *law, const tr_scene_law *chosen) {
+    tr_slot *slot = &g->slot[which];
+    slot->law = law;
+    if (chosen) memcpy(slot->par, chosen->par, sizeof slot->par);
+    slot->hist = g->n_hist, g->n_hist += law->n_hist;
+    slot->pair = g->n_pair, g->n_pair += law->n_pair;
+}
+
+static void group_add_pass(tr_group *g, const char *name, tr_pass_run *run, const tr_slot *slot) {
+    assert(g->n_pass < TR_MAX_PASSES);
+    tr_pass *pass = &g->pass[g->n_pass++];
+    *pass = (tr_pass){.name = name, .run = run};
+    if (slot) pass->data = tr_group_data(g, slot);
+}
+
+/* The list of passes a scene asked for: what it leaves out is not there. */
+static void group_choose(tr_group *g, const tr_scene_contact *contact, bool normal_only, int rolling_velocity,
+                         tr_shape shape, bool images) {
+    tr_group_free(g);
+    g->shape = shape;
+    g->n_pair = images ? 5 : 3;
+    group_take(g, TR_NORMAL, tr_laws_normal[contact->normal.law], &contact->normal);
+    group_take(g, TR_FRICTION, normal_only ? &tr_friction_none : tr_laws_friction[contact->friction.law],
+               &contact->friction);
+    group_take(g, TR_ROLLING, normal_only ? &tr_rolling_none : tr_laws_rolling[contact->rolling.law],
+               &contact->rolling);
+    const tr_law *friction = g->slot[TR_FRICTION].law, *rolling = g->slot[TR_ROLLING].law;
+    g->spins = friction->step || rolling->step;
+
+    group_add_pass(g, "kinematics", g->walls ? tr_kinematics_wall : tr_kinematics_pair, NULL);
+    group_add_pass(g, "normal", g->slot[TR_NORMAL].law->step, &g->slot[TR_NORMAL]);
+    if (friction->step) group_add_pass(g, "friction", friction->step, &g->slot[TR_FRICTION]);
+    tr_pass_run *velocity = tr_law_rolling_velocity(rolling, rolling_velocity);
+    if (velocity) group_add_pass(g, "rolling velocity", velocity, NULL);
+    if (rolling->step) group_add_pass(g, "rolling", rolling->step, &g->slot[TR_ROLLING]);
+    tr_pass_run *torques = rolling->needs & TR_GIVES_F_R ? tr_resultant_rolling_force : tr_resultant_full;
+    group_add_pass(g, "resultant", g->spins ? torques : tr_resultant_central, NULL);
+}
+
+bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool smooth_walls, unsigned sinks,
+                       tr_status *st) {
+    double sum = 0, r_min = INFINITY;
+    world->r_max = 0;
+    for (int i = 0; i < world->disks.n; i++) {
+        double R = world->disks.pos[4 * (size_t)i + 3];
+        sum += 2 * R, r_min = fmin(r_min, R), world->r_max = fmax(world->r_max, R);
+    }
+    world->wide_skin = WIDE_SKIN * sum / world->disks.n;
+    world->thin_skin = fmin(THIN_SKIN * sum / world->disks.n, TR_LARGEST_OVERLAP * r_min);
+    world->rolling_velocity = contact->rolling_velocity;
+    world->stale = world->fresh = true;
+    world->sure_dt = 0;
+    tr_shares_free(world->shares), world->shares = NULL; /* lanes again */
+    world->near.n = 0;
+    memset(world->tile, 0, sizeof *world->tile); /* lanes that no pass of the new pipeline writes are 0 */
+    free(world->ledger);
+    world->ledger = NULL;
+    if (sinks & TR_SINK_LEDGER && !(world->ledger = tr_alloc(1, sizeof *world->ledger, st))) return false;
+    for (int k = 0; k < 2; k++) {
+        tr_group *g = &world->group[k];
+        group_choose(g, contact, g->walls && smooth_walls, contact->rolling_velocity, world->shape,
+                     !g->walls && world->cell.side[0] > 0);
+        if (sinks & TR_SINK_LEDGER) tr_ledger_attach(g, world->ledger);
+        if (sinks & TR_SINK_ARCS) tr_arcs_attach(g);
+    }
+    if (world->finder) world->broad->destroy(world->finder);
+    world->finder =
+        world->broad->create(&(tr_broad_input){world->disks.n, world->disks.pos, world->wide_skin, NULL, NULL}, st);
+    return world->finder != NULL;
+}
+
+static bool is_before(int a, int b, int other_a, int other_b) {
+    return a < other_a || (a == other_a && b < other_b);
+}
+
+/* Both lists are sorted by their ids. */
+static void carry_friction(tr_group *to, const tr_group *from) {
+    int first = to->slot[TR_FRICTION].hist, old_first = from->slot[TR_FRICTION].hist, old = 0;
+    for (int i = 0; i < to->n; i++) {
+        while (old < from->n && is_before(from->a[old], from->b[old], to->a[i], to->b[i])) old++;
+        if (old == from->n) return;
+        if (from->a[old] != to->a[i] || from->b[old] != to->b[i]) continue;
+        for (int h = 0; h < to->slot[TR_FRICTION].law->n_hist; h++)
+            to->hist[first + h][i] = from->hist[old_first + h][old];
+    }
+}
+
+bool tr_world_change_laws(tr_world *world, const tr_scene_contact *contact, bool smooth_walls, unsigned sinks,
+                          tr_status *st) {
+    tr_group before = world->group[0], *now = &world->group[0];
+    *now = (tr_group){0};
+    bool ok = tr_world_set_laws(world, contact, smooth_walls, sinks, st);
+    const tr_law *friction = before.slot[TR_FRICTION].law;
+    if (ok && before.n && friction->n_hist && friction == now->slot[TR_FRICTION].law) {
+        ok = tr_contacts_refresh(world, st);
+        if (ok) carry_friction(now, &before);
+        world->stale = true; /* sinks may still come, and want their arrays */
+    }
+    tr_group_free(&before);
+    return ok;
+}
