@@ -4,6 +4,7 @@
 #include "cli/cli.h"
 
 #include "study/bench.h"
+#include "study/bench_packing.h"
 #include <stdio.h>
 
 bool tr_cli_bench_packing(const tr_bench_arguments *a, tr_status *st) {

@@ -5,6 +5,7 @@
 
 #include "out/table.h"
 #include "study/bench.h"
+#include "study/bench_sizes.h"
 #include <stdio.h>
 
 static const int SIZES[] = {100, 200, 400, 1000, 4000, 10000, 40000, 100000, 1000000};

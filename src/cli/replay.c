@@ -4,6 +4,7 @@
 
 #include "base/threads.h"
 #include "study/replay.h"
+#include "study/replay_write.h"
 #include <argp.h>
 #include <stdio.h>
 

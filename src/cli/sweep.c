@@ -4,6 +4,9 @@
 
 #include "base/threads.h"
 #include "study/sweep.h"
+#include "study/sweep_collect.h"
+#include "study/sweep_read.h"
+#include "study/sweep_run.h"
 #include <argp.h>
 #include <stdio.h>
 #include <stdlib.h>

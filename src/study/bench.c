@@ -4,8 +4,9 @@
 #include "base/alloc.h"
 #include "core/biaxial.h"
 #include "core/step.h"
-#include "study/run_internal.h"
+#include "study/run_biaxial.h"
 #include <assert.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>

@@ -40,46 +40,4 @@ typedef struct tr_bench_report {
  * list anew, does not count. passes: time each pass too. */
 bool tr_bench(const tr_scene *const *scenes, int n, int threads, bool passes, tr_bench_report *reports, tr_status *st);
 
-/* ---- cost against the number of disks: bench_sizes.c ---- */
-
-enum { TR_BENCH_CYCLES = 5 }; /* repeats; 3 above 100000 disks */
-
-typedef struct tr_bench_size {
-    int disks;
-    tr_quartiles us, ns;              /* of a whole step [us]; the same per touching contact [ns]; over the cycles */
-    double touching, listed;          /* contacts, mean */
-    double steps, refreshes, rebuild; /* of a cycle; lists made in it; the share of its time that they take [1] */
-    double bytes_per_disk;
-} tr_bench_size;
-
-/* Shears samples of sizes[].disks in turn, a cycle of each: from one search of all pairs to the next, so that a cycle has its
- * share of everything that a long run does. Up to 1000 disks the sample is that of the scene; above, a multiple of 1000, it is
- * tiled, see there. */
-bool tr_bench_sizes(const tr_scene *scene, int threads, tr_bench_size *sizes, int n, tr_status *st);
-
-/* Until it is at rest. */
-bool tr_bench_compact(tr_biaxial *b, tr_status *st);
-
-/* Replaces a loose sample by columns x rows images of a compacted one, as nearly square as can be: at rest, no laws set. Its size
- * is a multiple of that of the tile. */
-bool tr_bench_tile(tr_biaxial *to, const tr_biaxial *tile, tr_status *st);
-
-/* s of y = c x^s, by least squares of the logarithms. */
-double tr_bench_slope(const double *x, const double *y, int n);
-
-/* ---- the same packing in LAMMPS: bench_packing.c ---- */
-
-enum { TR_BENCH_COMPARED = 1000, TR_BENCH_TIMED = 5000 }; /* steps: up to where states are compared; then, timed */
-
-typedef struct tr_bench_state {
-    int touching;
-    double kinetic, spinning; /* energy of the disks that are not held [N] */
-    double xx, yy;            /* sums of force times branch over the contacts: stress times area [N] */
-} tr_bench_state;
-
-/* Writes dir/packing.data and dir/packing.lmp for LAMMPS, then takes the steps: the state after either part, and the time of a
- * step of the second [us]. */
-bool tr_bench_packing(const tr_scene *scene, int threads, const char *dir, tr_bench_state state[2], double *us,
-                      tr_status *st);
-
 #endif

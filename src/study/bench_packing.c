@@ -15,14 +15,16 @@
  * nve/sphere disc has m R^2/2.
  * SAME TIME. Velocity Verlet makes the half step v + dt/2 F/m, leapfrog has it: LAMMPS starts with v^(-1/2) + dt/2 F/m, and the
  * kinetic energies are those of v^(n-1/2) + dt/2 F/m. */
+#include "study/bench_packing.h"
+
 #include "core/pipeline.h"
-#include "study/bench.h"
 
 #include "core/biaxial.h"
 #include "core/record.h"
 #include "core/step.h"
 #include "laws/law.h"
 #include "out/dir.h"
+#include "study/bench_sizes.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -10,6 +10,8 @@
  * disks move faster and lists are made more often: that is a cost of size, and part of what is measured.
  *
  * A CYCLE is all steps from a search (the wide list) up to the next. */
+#include "study/bench_sizes.h"
+
 #include "study/bench.h"
 
 #include "base/alloc.h"

@@ -3,8 +3,8 @@
 
 #include "base/alloc.h"
 #include "core/step.h"
-#include "study/run_internal.h"
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

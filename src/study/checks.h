@@ -11,7 +11,7 @@
 #include "core/bodies.h"
 #include "core/record.h"
 #include "out/summary.h"
-#include "study/run.h"
+#include "study/report.h"
 
 typedef struct tr_checks {
     const tr_scene *scene;

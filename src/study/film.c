@@ -5,7 +5,6 @@
 #include "base/threads.h"
 #include "out/dir.h"
 #include "out/made.h"
-#include "study/run_internal.h"
 #include <math.h>
 #include <pthread.h>
 #include <stdlib.h>

@@ -17,7 +17,7 @@
 
 #include "base/checkpoint.h"
 #include "draw/draw.h"
-#include "study/run.h"
+#include "study/report.h"
 
 typedef struct tr_film {
     const char *dir, *name;

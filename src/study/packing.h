@@ -7,7 +7,7 @@
 #define TR_STUDY_PACKING_H
 
 #include "core/biaxial.h"
-#include "study/run.h"
+#include "study/report.h"
 
 /* The case.yaml of the compaction alone, and which packings this program makes; free it. Equal texts, equal packings. */
 char *tr_packing_text(const tr_scene *scene, tr_status *st);

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "study/picture.h"
 
-#include "study/run_internal.h"
+#include "study/film.h"
+#include "study/shown_check.h"
+
 #include <math.h>
 
 tr_view_box tr_picture_empty(void) {

@@ -2,7 +2,7 @@
 #include "study/play.h"
 
 #include "core/step.h"
-#include "study/run_internal.h"
+#include "study/schedule.h"
 #include <math.h>
 #include <stdlib.h>
 

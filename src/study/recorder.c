@@ -3,7 +3,7 @@
 
 #include "core/record.h"
 #include "out/table.h"
-#include "study/run_internal.h"
+#include "study/schedule.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

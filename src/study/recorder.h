@@ -31,7 +31,7 @@
 
 #include "core/paths.h"
 #include "out/dir.h"
-#include "study/run.h"
+#include "study/report.h"
 
 enum { TR_PATH_CHANNELS = 4 }; /* u_slide, u_roll, P, Q */
 

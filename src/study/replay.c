@@ -5,8 +5,9 @@
 #include "base/gather.h"
 #include "laws/law.h"
 #include "patch/cut.h"
+#include "study/clock.h"
 #include "study/contact.h"
-#include "study/run_internal.h"
+#include "study/replay_read.h"
 #include <math.h>
 #include <pthread.h>
 #include <stdatomic.h>

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* case.yaml, history.csv and paths.csv of a run. What does not fit together is refused with its line. */
+#include "study/replay_read.h"
+
 #include "base/alloc.h"
 #include "laws/law.h"
 #include "out/dir.h"
 #include "out/summary.h"
 #include "study/csv.h"
-#include "study/replay.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

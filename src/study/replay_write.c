@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* The tables of a replay. All sums run in the order of the lives. */
+#include "study/replay_write.h"
+
 #include "base/alloc.h"
 #include "laws/law.h"
 #include "out/table.h"
-#include "study/replay.h"
-#include "study/run_internal.h"
+#include "study/report.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

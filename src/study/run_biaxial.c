@@ -1,14 +1,19 @@
 /* SPDX-License-Identifier: MIT */
 /* A biaxial test with its outputs: compaction, shear, summary, curves; and its checkpoints. */
+#include "study/run_biaxial.h"
+
 #include "core/checkpoint.h"
 #include "core/step.h"
 #include "out/plot.h"
 #include "out/summary.h"
 #include "base/alloc.h"
 #include "laws/law.h"
+#include "study/clock.h"
 #include "study/inset.h"
+#include "study/open.h"
+#include "study/outputs.h"
 #include "study/packing.h"
-#include "study/run_internal.h"
+#include "study/recorder.h"
 #include "study/spread.h"
 #include "study/warn.h"
 #include <math.h>

@@ -6,12 +6,19 @@
  *
  * Each scene has its own step. The one with the most steps gives the time; the others follow, so that at any instant they
  * are within a step of it. */
+#include "study/run_bodies.h"
+
 #include "base/alloc.h"
 #include "out/summary.h"
 #include "out/made.h"
+#include "study/clock.h"
+#include "study/film.h"
+#include "study/open.h"
+#include "study/outputs.h"
 #include "study/picture.h"
 #include "study/play.h"
-#include "study/run_internal.h"
+#include "study/recorder.h"
+#include "study/shown_check.h"
 #include "study/warn.h"
 #include <assert.h>
 #include <math.h>

@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /* A contact along its path, with its table, its curves and its summary. */
+#include "study/run_contact.h"
+
 #include "base/alloc.h"
 #include "laws/law.h"
 #include "out/plot.h"
 #include "out/summary.h"
+#include "study/clock.h"
 #include "study/contact.h"
+#include "study/open.h"
 #include "study/path.h"
-#include "study/run_internal.h"
 #include "study/warn.h"
 #include <math.h>
 #include <stdlib.h>

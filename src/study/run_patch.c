@@ -1,11 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /* The inside of one contact along its path, with its tables, curves, pictures and summary. With pictures it runs twice:
  * the first run writes nothing and finds the largest slip of a step, so that one scale serves the whole film. */
+#include "study/run_patch.h"
+
 #include "base/alloc.h"
 #include "out/plot.h"
 #include "out/summary.h"
+#include "study/clock.h"
+#include "study/film.h"
 #include "study/inside.h"
-#include "study/run_internal.h"
+#include "study/open.h"
+#include "study/run_contact.h"
+#include "study/schedule.h"
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>

@@ -25,7 +25,6 @@
 
 #include "scene/scene.h"
 #include "scene/tree.h"
-#include <signal.h>
 
 /* A key of the base case and the texts of its values. */
 typedef struct tr_axis {
@@ -56,11 +55,6 @@ typedef struct tr_grid {
     int n_compare;
 } tr_grid;
 
-/* many: more than TR_MANY_POINTS are meant. On failure the grid is for tr_grid_free too. */
-enum { TR_MANY_POINTS = 10000 };
-bool tr_grid_read(tr_grid *g, const char *path, bool many, tr_status *st);
-void tr_grid_free(tr_grid *g);
-
 /* Which value of an axis a point has. */
 int tr_grid_value(const tr_grid *g, int point, int axis);
 
@@ -75,9 +69,6 @@ void tr_grid_name(const tr_grid *g, int point, char name[TR_POINT_NAME]);
 /* Its --sets, "key=value", n_axes of them; free each, and the array. */
 char **tr_grid_sets(const tr_grid *g, int point, tr_status *st);
 void tr_grid_sets_free(const tr_grid *g, char **sets);
-
-/* A value that is given twice under two spellings, and a key whose values have no effect. tr_grid_read looks for them. */
-bool tr_grid_check_twice(const tr_grid *g, tr_status *st);
 
 /* Reads the case of a point. A failure names the point, and the place of the value in the sweep file. */
 bool tr_grid_scene(const tr_grid *g, int point, tr_scene *scene, tr_status *st);
@@ -100,30 +91,5 @@ bool tr_grid_state(const tr_grid *g, int point, const char *dir, tr_point_state 
 /* Finds, before a run, what tr_run_check does, and that its summary.json will lack a number to collect. Of a point of the
  * first seed it says so for all seeds: another one changes only the sample. */
 bool tr_grid_check(const tr_grid *g, int point, tr_status *st);
-
-typedef struct tr_grid_options {
-    const char *dir;
-    int jobs;                          /* runs at once */
-    int first, end;                    /* points first ... end - 1 */
-    const volatile sig_atomic_t *stop; /* set it to end the runs and stop */
-    void (*progress)(void *context, const char *stage, double fraction);
-    void (*say)(void *context, const char *line); /* what happens to a point */
-    void *context;
-} tr_grid_options;
-
-typedef struct tr_grid_report {
-    int before, ran, failed; /* points finished before, run now, failed now */
-    tr_code code;            /* of those that failed, the lowest */
-} tr_grid_report;
-
-/* Runs what is missing, each point as a child process of this same program. All are read, and those of the first seed checked,
- * before the first one runs. Packings go to dir/samples, and points that compact the same one share it. Points that fail are told by
- * `say`, and counted, and in the end their lowest code; they do not stop the others. */
-bool tr_grid_run(const tr_grid *g, const tr_grid_options *options, tr_grid_report *report, tr_status *st);
-
-/* Writes, from the summaries of all finished points, dir/points.csv: a row of each with its numbers; and dir/collect.csv: for each
- * combination and number the mean over the seeds, its standard error and 95 % interval, and in rows of their own, with `minus`
- * telling from what, the same of the differences by seed that `compare` asks for. missing: points not finished. */
-bool tr_grid_collect(const tr_grid *g, const char *dir, int *missing, tr_status *st);
 
 #endif

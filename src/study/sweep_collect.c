@@ -3,7 +3,8 @@
  *
  * Differences are taken seed by seed and only then averaged: what one sample has by itself, which is most of the scatter, falls out.
  * Where points are missing a mean is over those that are there, and says over how many. */
-#include "study/sweep.h"
+
+#include "study/sweep_collect.h"
 
 #include "base/alloc.h"
 #include "base/student.h"

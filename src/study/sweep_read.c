@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* A sweep file to a grid: which keys, which texts. Whether a key exists and a text is a value of it, reading the base case with
  * them tells (sweep.c). */
-#include "study/sweep.h"
+
+#include "study/sweep_read.h"
 
 #include "base/alloc.h"
+#include "study/sweep_twice.h"
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>

@@ -4,7 +4,8 @@
  *
  * A run dies with the process that started it (PR_SET_PDEATHSIG), and has its directory for itself (tr_dir_lock): killed at any
  * moment and started again, no two runs meet in one directory. */
-#include "study/sweep.h"
+
+#include "study/sweep_run.h"
 
 #include "base/alloc.h"
 #include "base/hash.h"

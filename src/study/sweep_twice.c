@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* One value under two spellings, `0.5` and `1/2`, would run twice, and count twice. Two values of a key are one if the cases
  * that they make are equal for all values of the other keys. So are those of a key without effect, which `set` overrides. */
-#include "study/sweep.h"
+
+#include "study/sweep_twice.h"
 
 #include "base/alloc.h"
 #include "base/hash.h"

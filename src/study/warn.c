@@ -4,7 +4,6 @@
 #include "core/fit.h"
 #include "core/resolution.h"
 #include "core/tangent.h"
-#include "study/run_internal.h"
 #include <math.h>
 #include <stdio.h>
 

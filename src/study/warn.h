@@ -5,7 +5,7 @@
 
 #include "core/biaxial.h"
 #include "core/bodies.h"
-#include "study/run.h"
+#include "study/report.h"
 
 /* Of a world that was just set up. label: of the scene, where there are several; else empty. */
 void tr_warn_bodies(const tr_bodies *b, const char *label, tr_run_report *report);

@@ -2,6 +2,7 @@
 /* The tables that `trundle replay` reads. Parts: paths.csv, history.csv, case.yaml, summary.json; the last three have defaults. */
 #include "fuzz.h"
 #include "study/replay.h"
+#include "study/replay_read.h"
 
 static const char *const names[] = {"paths.csv", "history.csv", "case.yaml", "summary.json"};
 static const char base[] = "kind: biaxial\nsample: {disks: 60, r_min: 0.76 mm, r_max: 1.52 mm}\n"

@@ -2,6 +2,7 @@
 /* The file of a sweep. Its base is base.yaml. */
 #include "fuzz.h"
 #include "study/sweep.h"
+#include "study/sweep_read.h"
 
 static const char base[] = "kind: biaxial\nsample: {disks: 60, r_min: 0.76 mm, r_max: 1.52 mm}\n"
                            "contact: {k_n: 160 MPa, mu: 0.5, mu_r: 0.5}\ncompaction: {pressure: 160 kPa}\n";

@@ -6,6 +6,7 @@
 #include "core/step.h"
 #include "laws/law.h"
 #include "study/bench.h"
+#include "study/bench_sizes.h"
 
 #include <stdlib.h>
 #include <string.h>

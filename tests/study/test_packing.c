@@ -5,6 +5,7 @@
 #include "base/checkpoint.h"
 #include "laws/law.h"
 #include "study/packing.h"
+#include "study/run.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -5,6 +5,7 @@
 #include "assert_close.h"
 #include "laws/law.h"
 #include "study/replay.h"
+#include "study/replay_write.h"
 #include "study/run.h"
 #include "study/table.h"
 

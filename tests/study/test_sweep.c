@@ -8,6 +8,8 @@
 #include "laws/law.h"
 #include "out/dir.h"
 #include "study/sweep.h"
+#include "study/sweep_collect.h"
+#include "study/sweep_read.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,0 +1,10 @@
+/* SPDX-License-Identifier: MIT */
+#include "study/clock.h"
+
+#include <time.h>
+
+double tr_run_clock(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}

@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: MIT */
+/* A handful of bodies: kind `bodies`. */
+#ifndef TR_RUN_BODIES_H
+#define TR_RUN_BODIES_H
+
+#include "study/report.h"
+
+bool tr_run_bodies(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st);
+
+/* What tr_run_check finds: NULL, or else the summary to come. */
+char *tr_run_check_bodies(const tr_scene *scene, tr_run_report *report, tr_status *st);
+
+#endif
