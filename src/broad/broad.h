@@ -41,9 +41,6 @@ static inline double tr_broad_image(double p, double q, double side) {
     return -rint((q - p) / side);
 }
 
-/* The finder for n disks: brute force up to 32, else Box2D. */
-const tr_broad_finder *tr_broad_choose(int n);
-
 /* Appends a pair; grows the arrays. */
 bool tr_pairs_add(tr_pairs *pairs, int a, int b, tr_status *st);
 

@@ -65,7 +65,3 @@ static bool brute_find(void *finder, const tr_broad_input *input, tr_pairs *pair
 }
 
 const tr_broad_finder tr_broad_brute = {"brute-force", brute_create, brute_find, free};
-
-const tr_broad_finder *tr_broad_choose(int n) {
-    return n <= 32 ? &tr_broad_brute : &tr_broad_box2d;
-}

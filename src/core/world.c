@@ -2,6 +2,7 @@
 #include "core/world.h"
 
 #include "base/alloc.h"
+#include "broad/choose.h"
 #include "core/shares_memory.h"
 #include <assert.h>
 #include <math.h>

@@ -4,6 +4,7 @@
 #include "assert_close.h"
 #include "base/random.h"
 #include "broad/broad.h"
+#include "broad/choose.h"
 #include <stdlib.h>
 #include <string.h>
 
