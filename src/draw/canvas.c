@@ -2,10 +2,11 @@
 /* The off-screen picture, its PNG file, and the strokes of a picture to come. A PNG of one IDAT is a zlib stream between a few bytes:
  * ISA-L makes the stream in a fifth of the time of the zlib in libpng, for runs of a colour cost it nothing, and libpng writes it as a
  * chunk. No filters: edges between flat colours grow by them. */
+#include "draw/canvas.h"
+
 #include "base/alloc.h"
 #include "base/part.h"
 #include "base/vector.h"
-#include "draw/draw.h"
 #include "draw/font.h"
 #include "draw/pen.h"
 #include <assert.h>

@@ -43,30 +43,6 @@ typedef struct tr_view {
 
 typedef struct tr_canvas tr_canvas;
 
-/* NULL and TR_FILE when memory is short. Free with tr_canvas_free (NULL is allowed). */
-tr_canvas *tr_canvas_create(tr_status *st);
-
-/* A canvas without pixels, which only keeps the strokes: a tenth of the time of drawing. To replay gives the pixels that drawing
- * would have given, later and by any thread: what the view pointed to may be gone. It is for one picture, and for nothing but to be
- * replayed. like: the canvas before, or NULL; it takes the letters of that. */
-tr_canvas *tr_canvas_record(const tr_canvas *like, tr_status *st);
-bool tr_canvas_replay(tr_canvas *canvas, const tr_canvas *strokes, tr_status *st);
-void tr_canvas_free(tr_canvas *canvas);
-
-/* The pixels, row by row from the top, 4 bytes each: blue, green, red, unused. */
-const unsigned char *tr_canvas_pixels(const tr_canvas *canvas);
-
-/* Two halves, the work and the file: what the canvas shows is compressed in its memory, then written to path.part, which is renamed
- * to path. On failure TR_FILE: path is as it was, no part is left. */
-bool tr_canvas_encode(tr_canvas *canvas, tr_status *st);
-bool tr_canvas_write(const tr_canvas *canvas, const char *path, tr_status *st);
-
-bool tr_canvas_png(tr_canvas *canvas, const char *path, tr_status *st);  /* both */
-bool tr_canvas_load(tr_canvas *canvas, const char *path, tr_status *st); /* shows what was written */
-
-/* Biaxial test: world->wall is bottom, top, left, right, or there is a periodic cell. A wall or side with mass is drawn as loaded, one without as driven. */
-void tr_draw_biaxial(tr_canvas *canvas, const tr_view *view);
-
 /* ---- films of a few bodies ---- */
 
 /* What the class is told of a contact: values that it must have. NaN: not said. A definition of V_s (V_r) whose value is
@@ -128,10 +104,6 @@ typedef struct tr_show {
     int n_checks;
 } tr_show;
 
-/* A few bodies, for teaching: rim ticks, the arcs da and db, velocities, contact points' traces, V_s and V_r by every
- * definition, curves. */
-void tr_draw_show(tr_canvas *canvas, const tr_show *show);
-
 /* One instant of the inside of a line contact. For a film that does not flicker give it the ranges. */
 typedef struct tr_patch_view {
     const tr_patch_pair *pair;
@@ -144,46 +116,5 @@ typedef struct tr_patch_view {
     const tr_view_line *line;
     int n_lines;
 } tr_patch_view;
-
-/* The two bodies, where their contact sticks and where it slips which way, and the traction within Coulomb's bound. */
-void tr_draw_patch(tr_canvas *canvas, const tr_patch_view *view);
-
-/* A round end for the colour bar: smallest 1, 2 or 5 times a power of ten that covers 95 % of the speeds of the contacts; 1
- * for the other fields, and where all is at rest. [1 or m/s] */
-double tr_frame_range(const tr_record *record, int n, tr_color color);
-
-/* Where a contact sticks by its friction law in `world`, from and to, in half-widths along t; the rest of -1 to 1 slips. See
- * tr_slip. Without friction: nowhere. */
-void tr_frame_stick(const tr_world *world, const tr_record *record, double stick[2]);
-
-/* The field in a contact: mobilisation, |v_s|, |v_r|, or the share of the width that slips; only that one needs the world. */
-double tr_frame_field(const tr_world *world, const tr_record *record, tr_color color);
-
-/* The field of each disk: its mean over the n touching contacts of the disk, 0 without one; TR_COLOR_SPIN: angle turned
- * since the world was made [rad]. ends: how many contacts each disk has. */
-void tr_frame_fill(const tr_world *world, const tr_record *record, int n, tr_color color, double *fill, int *ends);
-
-/* The same for bodies: covers every speed of centres, rims, and contacts in this state. [m/s] */
-double tr_frame_range_bodies(const tr_world *world, const tr_record *record, int n);
-
-/* A film: frames go through a pipe to ffmpeg, which must be on the PATH. */
-typedef struct tr_video tr_video;
-
-bool tr_video_available(void);
-
-/* Starts ffmpeg writing path.part, H.264 in MP4. NULL and TR_FILE when it cannot start. */
-tr_video *tr_video_open(const char *path, int frames_per_second, tr_status *st);
-
-/* Appends what the canvas shows. TR_FILE, and ffmpeg's own words, when it has died; tr_video_close is still due. */
-bool tr_video_frame(tr_video *video, const tr_canvas *canvas, tr_status *st);
-
-/* Ends the film and frees it. With all frames taken renames path.part to path; otherwise, or with keep = false, removes
- * it. False and TR_FILE when ffmpeg failed or no frame was sent. NULL is allowed and true. */
-bool tr_video_close(tr_video *video, bool keep, tr_status *st);
-
-enum { TR_GIF_RATE = 12 }; /* at most so many frames a second */
-
-/* Writes the film as a GIF: 640 pixels wide, endless, every k-th frame. On failure TR_FILE and no file. */
-bool tr_video_gif(const char *film, const char *path, int frames_per_second, tr_status *st);
 
 #endif

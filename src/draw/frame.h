@@ -75,11 +75,6 @@ tr_point tr_frame_point(const tr_map *map, double x, double y);
 /* Near the picture and finite: Cairo's fixed-point coordinates would wrap. */
 bool tr_frame_seen(tr_point p, double radius);
 
-enum { TR_INSET_NUMBERS = 96 };
-
-/* "Q/(μP):  law 0.68, exact 1.00" of a view with an inset, or "open". */
-void tr_frame_inset_numbers(const tr_view *view, char text[TR_INSET_NUMBERS]);
-
 /* Image 0 of a point is the point; in a periodic cell it has eight more. */
 int tr_frame_images(const tr_view *view);
 tr_point tr_frame_image(const tr_view *view, const tr_map *map, tr_point p, int image);

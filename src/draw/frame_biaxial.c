@@ -6,7 +6,10 @@
  *
  * Cost is in strokes, so all disks are filled as one path (rims first, then the slightly smaller bodies: two fills cost
  * less than one stroke), as polygons, and contact lines are quadrilaterals, one path for each of a few dozen colours. */
+#include "draw/frame_biaxial.h"
+
 #include "core/cell.h"
+#include "draw/field.h"
 #include "draw/frame.h"
 #include "draw/frame_slip.h"
 #include "draw/patch_plot.h"

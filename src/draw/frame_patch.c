@@ -8,6 +8,8 @@
  *
  * Velocities of the rims along t, seen from the contact: v_1 = v_roll - v_slide/2, v_2 = v_roll + v_slide/2. The small
  * arrows beside the contact are the slip, which moves 2 against 1. */
+#include "draw/frame_patch.h"
+
 #include "draw/frame.h"
 #include "draw/patch_plot.h"
 

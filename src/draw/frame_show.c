@@ -6,8 +6,16 @@
  *     cells                                    panel               chart nor checks the cells have its place
  *     scale bar   legend                      slower        The layout depends on nothing that changes while the film
  *     caption of a still                                    runs but contacts, so that nothing jumps. */
+#include "draw/frame_show.h"
+
+#include "draw/field.h"
 #include "draw/patch_plot.h"
 #include "draw/show.h"
+#include "draw/show_bar.h"
+#include "draw/show_chart.h"
+#include "draw/show_panel.h"
+#include "draw/show_stage.h"
+#include "draw/stage.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -3,7 +3,8 @@
  *
  * What differs from what the class is told (tr_expect) gets a cross, and its bar is hatched: wrong is seen without
  * colours too. */
-#include "draw/show.h"
+
+#include "draw/show_bar.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Curves over time: their names with the values now, axes over the whole film, and where the closed form says that
  * something happens. A lane is told by its colour and by the shape at the end of its curves; a second curve is dashed. */
-#include "draw/show.h"
+
+#include "draw/show_chart.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Walls, the angle of a slope, and the way of the contact points. */
-#include "draw/show.h"
+
+#include "draw/show_ground.h"
+
+#include "draw/stage.h"
 
 #include <math.h>
 #include <stdio.h>

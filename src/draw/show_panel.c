@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Numbers of a film of a few bodies: V_s and V_r by every definition as a table of bars, all to the same scale, and the
  * table of checks. */
+#include "draw/show_panel.h"
+
 #include "draw/show.h"
+#include "draw/show_bar.h"
 
 #include <math.h>
 #include <stdio.h>

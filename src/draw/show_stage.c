@@ -4,29 +4,17 @@
  * Arcs lie inside their own rim, so that the two of a contact never cover each other; those of a disk's next contact
  * lie further in. An arc of a turn or more is a faint ring and what is left of it. Names come last and have a white rim:
  * whatever moves below them, they are read. On a disk too small for a mark the mark is left out. */
+#include "draw/show_stage.h"
+
 #include "draw/arc.h"
 #include "draw/show.h"
+#include "draw/show_ground.h"
+#include "draw/stage.h"
 
 #include <math.h>
 #include <stdio.h>
 
 static const double badge = 14; /* radius of the disk's number */
-
-tr_stage tr_stage_of(cairo_t *cr, const tr_show_lane *lane, tr_box box, tr_box room, double scale, double range) {
-    double tilt = isfinite(lane->tilt) ? lane->tilt : 0;
-    return (tr_stage){cr,        lane,     tr_frame_map(room, scale, lane->x0, lane->y0, lane->x1, lane->y1),
-                      box,       range,    tilt,
-                      cos(tilt), sin(tilt)};
-}
-
-tr_point tr_stage_turned(const tr_stage *s, double x, double y) {
-    return (tr_point){x * s->cos - y * s->sin, x * s->sin + y * s->cos};
-}
-
-tr_point tr_stage_point(const tr_stage *s, double x, double y) {
-    tr_point p = tr_stage_turned(s, x, y);
-    return tr_frame_point(&s->map, p.x, p.y);
-}
 
 static bool place(const tr_stage *s, int disk, tr_point *p, double *radius) {
     const double *x = s->lane->world->disks.pos + 4 * disk;

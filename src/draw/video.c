@@ -4,10 +4,12 @@
  * A socket rather than a pipe, because send() can be told not to raise SIGPIPE when ffmpeg dies. ffmpeg gets a process
  * group of its own, so that Ctrl-C reaches only us and the film so far is still ended properly. Its messages go to
  * memory: they are shown as the reason of a failure and nowhere else. */
+#include "draw/video.h"
+
 #include "base/alloc.h"
-#include "draw/draw.h"
 #include "base/part.h"
 #include "base/program.h"
+#include "draw/canvas.h"
 #include <errno.h>
 #include <signal.h>
 #include <spawn.h>

@@ -4,6 +4,8 @@
 #include "base/alloc.h"
 #include "core/biaxial.h"
 #include "core/step.h"
+#include "draw/canvas.h"
+#include "draw/frame_biaxial.h"
 #include "study/run_biaxial.h"
 #include <assert.h>
 #include <stdio.h>

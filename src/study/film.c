@@ -3,6 +3,8 @@
 
 #include "base/alloc.h"
 #include "base/threads.h"
+#include "draw/canvas.h"
+#include "draw/video.h"
 #include "out/dir.h"
 #include "out/made.h"
 #include <math.h>

@@ -16,7 +16,7 @@
 #define TR_STUDY_FILM_H
 
 #include "base/checkpoint.h"
-#include "draw/draw.h"
+#include "draw/video.h"
 #include "study/report.h"
 
 typedef struct tr_film {

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "study/picture.h"
 
+#include "draw/field.h"
+#include "draw/frame_show.h"
 #include "study/film.h"
 #include "study/shown_check.h"
 

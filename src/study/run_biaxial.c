@@ -4,6 +4,8 @@
 
 #include "core/checkpoint.h"
 #include "core/step.h"
+#include "draw/field.h"
+#include "draw/frame_biaxial.h"
 #include "out/plot.h"
 #include "out/summary.h"
 #include "base/alloc.h"

@@ -9,6 +9,7 @@
 #include "study/run_bodies.h"
 
 #include "base/alloc.h"
+#include "draw/canvas.h"
 #include "out/summary.h"
 #include "out/made.h"
 #include "study/clock.h"

@@ -4,6 +4,7 @@
 #include "study/run_patch.h"
 
 #include "base/alloc.h"
+#include "draw/frame_patch.h"
 #include "out/plot.h"
 #include "out/summary.h"
 #include "study/clock.h"

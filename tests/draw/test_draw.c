@@ -3,8 +3,13 @@
  * break. */
 #include "assert_close.h"
 #include "draw/arc.h"
+#include "draw/canvas.h"
+#include "draw/field.h"
+#include "draw/frame_biaxial.h"
+#include "draw/frame_show.h"
 #include "draw/hand_made.h"
 #include "draw/palette.h"
+#include "draw/video.h"
 #include <dirent.h>
 #include <errno.h>
 #include <png.h>

@@ -2,7 +2,9 @@
 /* Frames of the inside of a contact, from states filled by hand: known colours at known places, pictures that must
  * mirror each other, and numbers that no contact has. */
 #include "assert_close.h"
+#include "draw/canvas.h"
 #include "draw/frame.h"
+#include "draw/frame_patch.h"
 #include "draw/patch_plot.h"
 #include <stdlib.h>
 #include <string.h>

@@ -2,6 +2,8 @@
 /* Films of a few bodies: what is drawn lies where geometry says, in its own cell, to one scale; a cross appears when and
  * only when a definition is off; nothing that a bad number can break. */
 #include "assert_close.h"
+#include "draw/canvas.h"
+#include "draw/frame_show.h"
 #include "draw/hand_made.h"
 #include "draw/palette.h"
 #include "draw/pen.h"

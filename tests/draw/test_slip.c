@@ -2,8 +2,12 @@
 /* color: slip. Where contacts stick, by the law of the run, against the closed forms of patch/; and what is drawn. */
 #include "assert_close.h"
 #include "core/bodies.h"
+#include "draw/canvas.h"
 #include "draw/draw.h"
+#include "draw/field.h"
+#include "draw/frame_biaxial.h"
 #include "draw/palette.h"
+#include "draw/stick.h"
 #include "laws/law.h"
 #include "patch/carter.h"
 #include "patch/cattaneo.h"

@@ -4,6 +4,10 @@
  *
  * In the place of ffmpeg a script that keeps what it is sent. */
 #include "assert_close.h"
+#include "draw/canvas.h"
+#include "draw/frame_biaxial.h"
+#include "draw/frame_patch.h"
+#include "draw/frame_show.h"
 #include "draw/hand_made.h"
 #include "out/made.h"
 #include "study/film.h"

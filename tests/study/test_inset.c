@@ -3,7 +3,9 @@
  * stands in the frame. */
 #include "assert_close.h"
 #include "core/bodies.h"
+#include "draw/canvas.h"
 #include "draw/draw.h"
+#include "draw/frame_biaxial.h"
 #include "laws/law.h"
 #include "study/inset.h"
 

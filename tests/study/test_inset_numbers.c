@@ -3,6 +3,7 @@
  * the exact one that of `kind: patch` along this path. The linker gives tr_draw_biaxial to this test. */
 #include "assert_close.h"
 #include "draw/frame.h"
+#include "draw/frame_biaxial.h"
 #include "laws/law.h"
 #include "study/contact.h"
 #include "study/inside.h"

@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: MIT */
+/* What bodies stand on and leave behind. */
+#ifndef TR_DRAW_SHOW_GROUND_H
+#define TR_DRAW_SHOW_GROUND_H
+
+#include "draw/stage.h"
+
+void tr_ground_walls(const tr_stage *stage);
+void tr_ground_trace(const tr_stage *stage);
+void tr_ground_slope(const tr_stage *stage);
+
+#endif
