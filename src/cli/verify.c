@@ -2,6 +2,7 @@
 /* trundle verify */
 #include "cli/cli.h"
 
+#include "verify/groups.h"
 #include "verify/verify.h"
 #include <argp.h>
 #include <stdio.h>

@@ -1,59 +1,25 @@
 /* SPDX-License-Identifier: MIT */
-/* Group `exact`: the registry, and what its files share. */
-#include "verify/exact.h"
+/* Group `exact`: the registry. To add a verification, write its function in a file, name it and give it a row here. */
+#include "verify/groups.h"
 
-#include "core/pipeline.h"
-#include "laws/law.h"
-#include <stdio.h>
-#include <string.h>
+typedef bool tr_verify_this(tr_verify *v, tr_status *st);
 
-bool tr_exact_row(tr_verify *v, const char *quantity, const char *unit, double computed, double reference,
-                  double tolerance, double order, const char *reason, tr_status *st) {
-    const tr_verify_row row = {quantity, unit, reference, computed, tolerance, reason, order, NULL};
-    return tr_verify_add(v, &row, st);
-}
-
-bool tr_exact_row_and(tr_verify *v, const char *quantity, const char *unit, double computed, double reference,
-                      double tolerance, const char *reason, const char *outcome, tr_status *st) {
-    const tr_verify_row row = {quantity, unit, reference, computed, tolerance, reason, NAN, outcome};
-    return tr_verify_add(v, &row, st);
-}
-
-const char *tr_exact_of(const tr_verify *v, const char *prefix) {
-    return v->now->name + strlen(prefix);
-}
-
-static bool drive(const tr_scene *scene, tr_contact_state *end, int n, tr_status *st) {
-    tr_contact *contact = tr_contact_new(scene, st);
-    tr_contact_state state[TR_MAX_LAWS];
-    bool ok = contact != NULL;
-    for (int64_t k = tr_contact_steps(scene); ok && k > 0; k--) {
-        ok = tr_contact_step(contact, state, st);
-        if (ok && state[0].segment < n) end[state[0].segment] = state[0];
-    }
-    tr_contact_free(contact);
-    return ok;
-}
-
-bool tr_exact_path(const char *text, tr_contact_state *end, int n, tr_scene_pair *pair, tr_status *st) {
-    tr_scene scene;
-    if (!tr_scene_read(&scene, "path", text, strlen(text), NULL, 0, tr_laws_catalog(), st)) return false;
-    if (pair) *pair = scene.pair;
-    bool ok = drive(&scene, end, n, st);
-    tr_scene_free(&scene);
-    return ok;
-}
-
-bool tr_exact_laws(tr_world *world, const char *contact, unsigned sinks, tr_status *st) {
-    char text[400];
-    tr_scene scene;
-    snprintf(text, sizeof text,
-             "kind: bodies\ntime_end: 1\ncontact: {%s}\ndisks: [{radius: 1, density: 1, x: 0, y: 0}]\n", contact);
-    if (!tr_scene_read(&scene, "laws", text, strlen(text), NULL, 0, tr_laws_catalog(), st)) return false;
-    bool ok = tr_world_set_laws(world, &scene.contact, false, sinks, st);
-    tr_scene_free(&scene);
-    return ok;
-}
+tr_verify_this tr_exact_slip_to_roll, tr_exact_incline, tr_exact_no_spin, tr_exact_coasting; /* exact_rolling.c */
+tr_verify_this tr_exact_impact, tr_exact_peak, tr_exact_sticking, tr_exact_sliding, tr_exact_spin, tr_exact_damped,
+    tr_exact_grazing; /* exact_impact.c */
+tr_verify_this tr_exact_step_bound;
+tr_verify_this tr_exact_dahlberg, tr_exact_cattaneo, tr_exact_kuhn_creep, tr_exact_vu_quoc; /* exact_paths.c */
+tr_verify_this tr_exact_contact_size, tr_exact_fig_5;                                       /* exact_kuhn.c */
+tr_verify_this tr_exact_patch_cattaneo, tr_exact_patch_carter, tr_exact_patch_kalker,
+    tr_exact_patch_brush;                                                          /* exact_patch.c */
+tr_verify_this tr_exact_claims, tr_exact_cycle;                                    /* exact_claims.c */
+tr_verify_this tr_exact_observers, tr_exact_errata;                                /* exact_motions.c */
+tr_verify_this tr_exact_collision, tr_exact_packing;                               /* exact_balance.c */
+tr_verify_this tr_exact_cell, tr_exact_drag, tr_exact_hold;                        /* exact_cell.c */
+tr_verify_this tr_exact_patch_loads, tr_exact_patch_reversed, tr_exact_patch_slip; /* exact_loads.c */
+tr_verify_this tr_exact_bed_energy, tr_exact_creep_books;                          /* exact_bed.c */
+tr_verify_this tr_exact_sign_laws, tr_exact_conjugate, tr_exact_rolling_store, tr_exact_rolling_share,
+    tr_exact_turning_gravity; /* exact_turns.c */
 
 #define RIGID "rigid disk, I = m R^2/2"
 

@@ -1,6 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* Group `precision`: the registry. */
-#include "verify/precision.h"
+#include "verify/groups.h"
+
+typedef bool tr_precision_run(tr_verify *v, tr_status *st);
+tr_precision_run tr_precision_impact, tr_precision_oblique, tr_precision_thrown_disk, tr_precision_rolling_spring;
+tr_precision_run tr_precision_impact_chain, tr_precision_chain_linear, tr_precision_chain_hertz;
+tr_precision_run tr_precision_path;
+tr_precision_run tr_precision_half_plane_sliding, tr_precision_half_plane_rolling, tr_precision_brush;
+tr_precision_run tr_precision_biaxial;
 
 const tr_verification tr_verify_precision[] = {
     {"precision", "impact", "two disks with dashpots: coefficient of restitution",

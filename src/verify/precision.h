@@ -31,11 +31,4 @@ bool tr_precise_add(tr_verify *v, const tr_precise *c, const tr_sweep_method *me
 /* Whether *st is a numerical failure, which is then forgotten: an answer that is not there, not a reason to stop. */
 bool tr_precise_failed(tr_status *st);
 
-typedef bool tr_precision_run(tr_verify *v, tr_status *st);
-tr_precision_run tr_precision_impact, tr_precision_oblique, tr_precision_thrown_disk, tr_precision_rolling_spring;
-tr_precision_run tr_precision_impact_chain, tr_precision_chain_linear, tr_precision_chain_hertz;
-tr_precision_run tr_precision_path;
-tr_precision_run tr_precision_half_plane_sliding, tr_precision_half_plane_rolling, tr_precision_brush;
-tr_precision_run tr_precision_biaxial;
-
 #endif

@@ -1,6 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* Group `stability`: the registry. */
-#include "verify/stability.h"
+#include "verify/groups.h"
+
+typedef bool tr_stability_this(tr_verify *v, tr_status *st);
+
+tr_stability_this tr_stability_networks, tr_stability_sliding, tr_stability_not_conjugate, tr_stability_failures,
+    tr_stability_coefficients, tr_stability_thresholds, tr_stability_sizes, tr_stability_far,
+    tr_stability_six_contacts, tr_stability_pure_motions, tr_stability_unloading, tr_stability_full_slip,
+    tr_stability_biaxial;
 
 #define STATED "outcome stated before the run"
 

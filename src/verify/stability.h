@@ -7,20 +7,6 @@
 #include "core/bodies.h"
 #include "verify/verify.h"
 
-bool tr_stability_networks(tr_verify *v, tr_status *st);
-bool tr_stability_sliding(tr_verify *v, tr_status *st);
-bool tr_stability_not_conjugate(tr_verify *v, tr_status *st);
-bool tr_stability_failures(tr_verify *v, tr_status *st);
-bool tr_stability_coefficients(tr_verify *v, tr_status *st);
-bool tr_stability_thresholds(tr_verify *v, tr_status *st);
-bool tr_stability_sizes(tr_verify *v, tr_status *st);
-bool tr_stability_far(tr_verify *v, tr_status *st);
-bool tr_stability_six_contacts(tr_verify *v, tr_status *st);
-bool tr_stability_pure_motions(tr_verify *v, tr_status *st);
-bool tr_stability_unloading(tr_verify *v, tr_status *st);
-bool tr_stability_full_slip(tr_verify *v, tr_status *st);
-bool tr_stability_biaxial(tr_verify *v, tr_status *st);
-
 /* A scene of bodies that runs step by step: open, then steps, then close. read: the scene was read, so close frees it. */
 typedef struct tr_stability_run {
     tr_scene scene;

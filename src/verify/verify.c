@@ -18,14 +18,6 @@ static double now(void) {
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-const tr_verification *tr_verification_at(int i) {
-    if (i < tr_n_verify_exact) return &tr_verify_exact[i];
-    i -= tr_n_verify_exact;
-    if (i < tr_n_verify_precision) return &tr_verify_precision[i];
-    i -= tr_n_verify_precision;
-    return i < tr_n_verify_stability ? &tr_verify_stability[i] : NULL;
-}
-
 bool tr_verify_run(tr_verify *v, const tr_verification *which, tr_status *st) {
     v->now = which;
     v->started = now();

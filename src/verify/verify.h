@@ -68,10 +68,6 @@ bool tr_verify_scene(tr_verify *v, const char *text, const char *const *sets, in
 /* The results of the checks of a scene, its step divided by 2^halvings: result has room for scene->n_checks. */
 bool tr_verify_play(const tr_verify *v, const tr_scene *scene, int halvings, tr_check_result *result, tr_status *st);
 
-/* The registry: one table per group, in a file of its own. */
-extern const tr_verification tr_verify_exact[], tr_verify_precision[], tr_verify_stability[];
-extern const int tr_n_verify_exact, tr_n_verify_precision, tr_n_verify_stability;
-
 /* ---- for the command ---- */
 
 typedef struct tr_verified {
@@ -97,9 +93,6 @@ struct tr_verify {
     } * point;
     int n_points, points_capacity;
 };
-
-/* Number i over all groups; NULL: there are no more. */
-const tr_verification *tr_verification_at(int i);
 
 /* Runs one, adding to v. TR_NUMERICAL becomes a row that failed. */
 bool tr_verify_run(tr_verify *v, const tr_verification *which, tr_status *st);

@@ -3,6 +3,7 @@
  * cannot pass. Those of the group `exact` are run by tests/system/test_verify.sh. References and tolerances are in
  * src/verify/. */
 #include "assert_close.h"
+#include "verify/groups.h"
 #include "verify/verify.h"
 #include <string.h>
 

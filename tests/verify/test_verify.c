@@ -2,6 +2,7 @@
 /* What makes a number of `trundle verify` right or wrong, what its table holds, and that every verification says what a
  * reviewer asks: source, and a mutation that it catches. The numbers themselves are checked by `trundle verify`. */
 #include "assert_close.h"
+#include "verify/groups.h"
 #include "verify/sweep.h"
 #include "verify/verify.h"
 #include <stdio.h>

@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT */
+/* What the files of the group `exact` share. */
+#include "verify/exact.h"
+
+#include "core/pipeline.h"
+#include "laws/law.h"
+#include <stdio.h>
+#include <string.h>
+
+bool tr_exact_row(tr_verify *v, const char *quantity, const char *unit, double computed, double reference,
+                  double tolerance, double order, const char *reason, tr_status *st) {
+    const tr_verify_row row = {quantity, unit, reference, computed, tolerance, reason, order, NULL};
+    return tr_verify_add(v, &row, st);
+}
+
+bool tr_exact_row_and(tr_verify *v, const char *quantity, const char *unit, double computed, double reference,
+                      double tolerance, const char *reason, const char *outcome, tr_status *st) {
+    const tr_verify_row row = {quantity, unit, reference, computed, tolerance, reason, NAN, outcome};
+    return tr_verify_add(v, &row, st);
+}
+
+const char *tr_exact_of(const tr_verify *v, const char *prefix) {
+    return v->now->name + strlen(prefix);
+}
+
+static bool drive(const tr_scene *scene, tr_contact_state *end, int n, tr_status *st) {
+    tr_contact *contact = tr_contact_new(scene, st);
+    tr_contact_state state[TR_MAX_LAWS];
+    bool ok = contact != NULL;
+    for (int64_t k = tr_contact_steps(scene); ok && k > 0; k--) {
+        ok = tr_contact_step(contact, state, st);
+        if (ok && state[0].segment < n) end[state[0].segment] = state[0];
+    }
+    tr_contact_free(contact);
+    return ok;
+}
+
+bool tr_exact_path(const char *text, tr_contact_state *end, int n, tr_scene_pair *pair, tr_status *st) {
+    tr_scene scene;
+    if (!tr_scene_read(&scene, "path", text, strlen(text), NULL, 0, tr_laws_catalog(), st)) return false;
+    if (pair) *pair = scene.pair;
+    bool ok = drive(&scene, end, n, st);
+    tr_scene_free(&scene);
+    return ok;
+}
+
+bool tr_exact_laws(tr_world *world, const char *contact, unsigned sinks, tr_status *st) {
+    char text[400];
+    tr_scene scene;
+    snprintf(text, sizeof text,
+             "kind: bodies\ntime_end: 1\ncontact: {%s}\ndisks: [{radius: 1, density: 1, x: 0, y: 0}]\n", contact);
+    if (!tr_scene_read(&scene, "laws", text, strlen(text), NULL, 0, tr_laws_catalog(), st)) return false;
+    bool ok = tr_world_set_laws(world, &scene.contact, false, sinks, st);
+    tr_scene_free(&scene);
+    return ok;
+}
