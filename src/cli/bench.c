@@ -1,9 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* trundle bench */
-#include "cli/bench.h"
-#include "cli/cli.h"
-
 #include "base/threads.h"
+#include "cli/bench_case.h"
+#include "cli/bench_features.h"
+#include "cli/bench_packing.h"
+#include "cli/bench_sizes.h"
+#include "cli/number.h"
+#include "cli/parse.h"
+#include "cli/progress.h"
 #include "laws/law.h"
 #include "study/bench.h"
 #include <argp.h>
@@ -48,26 +52,6 @@ static error_t parse(int key, char *value, struct argp_state *state) {
     else
         return ARGP_ERR_UNKNOWN;
     return 0;
-}
-
-/* The biaxial test of cases/biaxial.yaml: what is not said here is default. E_star, and k_r by itself, are for the laws that --features
- * puts in. */
-static const char default_case[] = "kind: biaxial\n"
-                                   "sample: {r_min: 0.76 mm, r_max: 1.52 mm}\n"
-                                   "contact: {k_n: 160 MPa, mu: 0.5, mu_r: 0.5, k_r: 0.5*k_n, E_star: 2.5*k_n}\n"
-                                   "compaction: {pressure: 160 kPa}\n";
-
-bool tr_cli_bench_case(const tr_bench_arguments *a, const char *const *more, int n, tr_scene *scene, tr_status *st) {
-    const char *set[TR_BENCH_SETS + 4];
-    int n_set = a->n_set;
-    for (int i = 0; i < n_set; i++) set[i] = a->set[i];
-    for (int i = 0; i < n; i++) set[n_set++] = more[i];
-    bool ok = a->file ? tr_scene_read_file(scene, a->file, set, n_set, tr_laws_catalog(), st)
-                      : tr_scene_read(scene, "(default case)", default_case, sizeof default_case - 1, set, n_set,
-                                      tr_laws_catalog(), st);
-    if (ok && scene->kind != TR_KIND_BIAXIAL)
-        ok = tr_status_fail(st, TR_BAD_CASE, "error: bench needs a case of kind: biaxial");
-    return ok;
 }
 
 static void print_table(const char *title, const tr_bench_report *r) {

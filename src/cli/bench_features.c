@@ -4,10 +4,11 @@
  * The first scene has all: the case's normal, friction and rolling law, and the ledger. The others shear its packing with less
  * (features one at a time) or with another law in one slot (without ledger: to compare with `+ rolling`). Frames are added by
  * calculation: time of drawing one, over the steps between two frames of the case. */
-#include "cli/bench.h"
-#include "cli/cli.h"
+#include "cli/bench_features.h"
 
 #include "base/alloc.h"
+#include "cli/bench_case.h"
+#include "cli/open.h"
 #include "draw/draw.h"
 #include "laws/law.h"
 #include "out/table.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* trundle bench --packing DIR: the half of tests/bench/peers.sh that is ours. Its lines are in the form of LAMMPS' thermo output. */
-#include "cli/bench.h"
-#include "cli/cli.h"
+#include "cli/bench_packing.h"
 
+#include "cli/bench_case.h"
 #include "study/bench.h"
 #include "study/bench_packing.h"
 #include <stdio.h>

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* trundle bench --sizes: what does a step cost with 100 disks, and with a million? */
-#include "cli/bench.h"
-#include "cli/cli.h"
+#include "cli/bench_sizes.h"
 
+#include "cli/bench_case.h"
+#include "cli/open.h"
 #include "out/table.h"
 #include "study/bench.h"
 #include "study/bench_sizes.h"

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* trundle laws */
-#include "cli/cli.h"
-
+#include "cli/parse.h"
 #include "laws/law.h"
 #include "scene/text.h"
 #include <argp.h>

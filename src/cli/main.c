@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* trundle: arguments in, printing out; everything else is below. Exit codes: base/status.h. */
-#include "cli/cli.h"
-
+#include "base/status.h"
 #include "base/version.h"
 #include <fcntl.h>
 #include <signal.h>
@@ -9,9 +8,13 @@
 #include <string.h>
 #include <unistd.h>
 
+/* argv[0] is the command's name; each returns the exit code. */
+typedef int tr_command(int argc, char **argv);
+tr_command tr_cli_run, tr_cli_sweep, tr_cli_replay, tr_cli_laws, tr_cli_bench, tr_cli_measures, tr_cli_verify;
+
 static const struct command {
     const char *name, *doc;
-    int (*run)(int argc, char **argv);
+    tr_command *run;
 } commands[] = {
     {"run", "run a case file: trundle run cases/biaxial.yaml -o out/biaxial", tr_cli_run},
     {"sweep", "run a case for each point of a grid of values and seeds: cases/sweep-quick.yaml", tr_cli_sweep},

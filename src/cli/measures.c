@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* trundle measures */
-#include "cli/cli.h"
-
+#include "cli/open.h"
+#include "cli/parse.h"
+#include "cli/progress.h"
 #include "laws/law.h"
 #include "out/dir.h"
 #include "study/measures.h"

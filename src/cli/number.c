@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "cli/cli.h"
+#include "cli/number.h"
 
 #include <argp.h>
 #include <stdlib.h>

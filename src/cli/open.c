@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "cli/cli.h"
+#include "cli/open.h"
 
 #include "out/made.h"
 #include <string.h>

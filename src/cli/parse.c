@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#include "cli/cli.h"
+#include "cli/parse.h"
+
+#include "base/status.h"
 
 #include <argp.h>
 #include <stdio.h>

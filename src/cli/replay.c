@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* trundle replay */
-#include "cli/cli.h"
-
 #include "base/threads.h"
+#include "cli/number.h"
+#include "cli/parse.h"
+#include "cli/progress.h"
+#include "cli/stop.h"
 #include "study/replay.h"
 #include "study/replay_write.h"
 #include <argp.h>

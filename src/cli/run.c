@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* trundle run */
-#include "cli/cli.h"
-
 #include "base/threads.h"
 #include "base/version.h"
+#include "cli/name.h"
+#include "cli/number.h"
+#include "cli/parse.h"
+#include "cli/progress.h"
+#include "cli/stop.h"
 #include "laws/law.h"
 #include "study/run.h"
 #include <argp.h>
@@ -105,13 +108,6 @@ static error_t parse(int key, char *value, struct argp_state *state) {
         return ARGP_ERR_UNKNOWN;
     }
     return 0;
-}
-
-void tr_cli_name(const char *file, char *name, size_t size) {
-    const char *slash = strrchr(file, '/');
-    snprintf(name, size, "%s", slash ? slash + 1 : file);
-    char *dot = strrchr(name, '.');
-    if (dot && dot != name) *dot = '\0';
 }
 
 /* From the first one on. */

@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* trundle sweep */
-#include "cli/cli.h"
-
 #include "base/threads.h"
+#include "cli/name.h"
+#include "cli/number.h"
+#include "cli/parse.h"
+#include "cli/progress.h"
+#include "cli/stop.h"
 #include "study/sweep.h"
 #include "study/sweep_collect.h"
 #include "study/sweep_read.h"

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* trundle verify */
-#include "cli/cli.h"
-
+#include "cli/parse.h"
+#include "cli/progress.h"
+#include "cli/stop.h"
 #include "verify/groups.h"
 #include "verify/verify.h"
 #include <argp.h>

@@ -7,7 +7,7 @@
  *        random DIR FILE.yaml   one scene */
 #include "base/random.h"
 #include "base/threads.h"
-#include "cli/cli.h"
+#include "cli/stop.h"
 #include "laws/law.h"
 #include "random/oracles.h"
 #include "random/scenes.h"

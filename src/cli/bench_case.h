@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The tables of trundle bench. */
-#ifndef TR_CLI_BENCH_H
-#define TR_CLI_BENCH_H
+/* What trundle bench is asked for, and its case. */
+#ifndef TR_CLI_BENCH_CASE_H
+#define TR_CLI_BENCH_CASE_H
 
 #include "scene/scene.h"
 
@@ -16,8 +16,5 @@ typedef struct tr_bench_arguments {
 
 /* Reads its case with these further n settings. */
 bool tr_cli_bench_case(const tr_bench_arguments *a, const char *const *more, int n, tr_scene *scene, tr_status *st);
-bool tr_cli_bench_features(const tr_bench_arguments *a, tr_status *st);
-bool tr_cli_bench_sizes(const tr_bench_arguments *a, tr_status *st);
-bool tr_cli_bench_packing(const tr_bench_arguments *a, tr_status *st);
 
 #endif
