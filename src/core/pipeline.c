@@ -6,6 +6,8 @@
 #include "core/contacts.h"
 #include "core/ledger.h"
 #include "core/shares_memory.h"
+#include "laws/kinematics.h"
+#include "laws/rolling_conjugate_spring.h"
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>

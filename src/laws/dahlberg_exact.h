@@ -7,8 +7,4 @@
  * over the step. */
 double tr_dahlberg_exact(double Q, double M, double A, double C);
 
-/* The same with a cap that is linear over the step, from M0 >= |Q| to M1; C is that of the larger of the two, F0 goes
- * with its root. M0 = 0: the contact forms. */
-double tr_dahlberg_load(double Q, double M0, double M1, double A, double C);
-
 #endif

@@ -19,6 +19,8 @@
  * s A - C sqrt(M/M_most) = M'; around what else is not smooth they become short. Full slip at the end of a piece is
  * sure only where it came before the last substep. Errors of Q do not grow on the way. Of a step that rolls very far
  * only the end counts: what was before fades as exp(-C/2) or faster. */
+#include "laws/dahlberg_load.h"
+
 #include "laws/dahlberg_exact.h"
 
 #include <float.h>

@@ -28,6 +28,7 @@
  */
 #include "base/vector.h"
 #include "laws/dahlberg_exact.h"
+#include "laws/dahlberg_load.h"
 #include "laws/law.h"
 
 #include <math.h>

@@ -15,8 +15,9 @@
  * Wall (body 1, a plane that does not rotate), in its frame: Vt = V21.t, s1 = Vt, s2 = -R2 w2, Vs = Vt + R2 w2: the
  * whole overlap falls to the wall, so r2 = R2.
  */
+#include "laws/kinematics.h"
+
 #include "base/vector.h"
-#include "laws/law.h"
 
 #include <math.h>
 

@@ -224,11 +224,4 @@ static inline tr_pass_run *tr_law_rolling_velocity(const tr_law *rolling, int de
 /* The registry as the scene reader wants it. The catalog lives as long as the program. */
 const tr_param_catalog *tr_laws_catalog(void);
 
-/* The passes that every scene has; they use no data. */
-tr_pass_run tr_kinematics_pair;   /* two disks */
-tr_pass_run tr_kinematics_wall;   /* body 1 is a plane: gather writes nx, ny, and the distance of the centre into dx */
-tr_pass_run tr_resultant_central; /* normal force alone: no torque */
-tr_pass_run tr_resultant_full;
-tr_pass_run tr_resultant_rolling_force; /* the same, with the force f_r of the rolling law */
-
 #endif

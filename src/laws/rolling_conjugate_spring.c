@@ -26,8 +26,9 @@
  *
  * History: T [N/m], p1, p2. Wall (R1 -> infinity): g1 = 1, R_eff = R2, f_r = p1 T. v -> 0: a spring, the case as it is.
  */
+#include "laws/rolling_conjugate_spring.h"
+
 #include "base/vector.h"
-#include "laws/law.h"
 
 typedef struct par {
     double mu_r, k_r;

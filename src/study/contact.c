@@ -2,6 +2,7 @@
 #include "study/contact.h"
 
 #include "base/alloc.h"
+#include "laws/kinematics.h"
 #include "laws/law.h"
 #include "patch/cut.h"
 #include "patch/half_plane.h"

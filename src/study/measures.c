@@ -3,6 +3,7 @@
 #include "study/measures.h"
 
 #include "base/alloc.h"
+#include "laws/kinematics.h"
 #include "laws/law.h"
 #include "study/csv.h"
 #include <assert.h>

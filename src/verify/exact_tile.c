@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "verify/exact_tile.h"
 
+#include "laws/kinematics.h"
+#include "laws/rolling_conjugate_spring.h"
+
 #include <stdlib.h>
 #include <string.h>
 

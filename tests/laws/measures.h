@@ -4,6 +4,7 @@
 #define TR_TEST_MEASURES_H
 
 #include "assert_close.h"
+#include "laws/kinematics.h"
 #include "laws/law.h"
 #include <string.h>
 

@@ -6,7 +6,9 @@
  * is so slow that a sign law would stop it within a step: that stop is the one thing in which these depend on the rate. */
 #include "assert_close.h"
 #include "base/random.h"
+#include "laws/kinematics.h"
 #include "laws/law.h"
+#include "laws/rolling_conjugate_spring.h"
 #include "scene/scene.h"
 #include <stdlib.h>
 #include <string.h>

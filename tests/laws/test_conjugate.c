@@ -8,6 +8,8 @@
 #include "core/pipeline.h"
 #include "core/record.h"
 #include "core/worlds.h"
+#include "laws/kinematics.h"
+#include "laws/rolling_conjugate_spring.h"
 
 static const double K_R = 2e6, MU_R = 0.3;
 

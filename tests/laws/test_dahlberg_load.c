@@ -7,6 +7,7 @@
 #include "core/convergence.h"
 #include "laws/dahlberg_bench.h"
 #include "laws/dahlberg_exact.h"
+#include "laws/dahlberg_load.h"
 #include <stdbool.h>
 
 /* ---- the differential equation over a step of length 1 */

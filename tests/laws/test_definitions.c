@@ -4,6 +4,7 @@
  * there. */
 #include "assert_close.h"
 #include "base/random.h"
+#include "laws/kinematics.h"
 #include "laws/law.h"
 
 #include <string.h>

@@ -4,6 +4,7 @@
  * written out here; the closed cycle of a rolling spring against algebra; the catalog against the registry. */
 #include "assert_close.h"
 #include "base/random.h"
+#include "laws/kinematics.h"
 #include "laws/law.h"
 #include "scene/expression.h"
 #include "scene/scene.h"
