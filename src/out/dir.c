@@ -13,11 +13,6 @@
 #include <time.h>
 #include <unistd.h>
 
-bool tr_dir_path(char path[TR_PATH], const char *dir, const char *name, tr_status *st) {
-    if (snprintf(path, TR_PATH, "%s/%s", dir, name) < TR_PATH) return true;
-    return tr_status_fail(st, TR_FILE, "error: path too long: %.200s...", dir);
-}
-
 static bool make(const char *dir, tr_status *st) {
     char path[TR_PATH];
     if (!*dir || strlen(dir) >= sizeof path)

@@ -5,9 +5,8 @@
 #define TR_DIR_H
 
 #include "base/checkpoint.h"
+#include "out/path.h"
 #include <stdio.h>
-
-enum { TR_PATH = 4096 };
 
 typedef struct tr_file {
     FILE *stream;       /* NULL: not open */
@@ -21,9 +20,6 @@ typedef struct tr_file {
  * Close *lock in the end; -1: this file system has no locks. */
 enum { TR_DIR_WAIT = 5 }; /* [s] gnuplot and ffmpeg need less to end */
 bool tr_dir_lock(const char *dir, int *lock, tr_status *st);
-
-/* dir/name; TR_FILE if the path is too long. */
-bool tr_dir_path(char path[TR_PATH], const char *dir, const char *name, tr_status *st);
 
 /* Whether the file dir/name is this text. TR_FILE: it is there and cannot be read. */
 bool tr_dir_holds(const char *dir, const char *name, const char *text, bool *same, tr_status *st);

@@ -4,7 +4,7 @@
 #include "base/alloc.h"
 #include "base/gather.h"
 #include "base/regular.h"
-#include "out/dir.h"
+#include "out/path.h"
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>

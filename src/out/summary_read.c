@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-#include "out/summary.h"
+
+#include "out/summary_read.h"
 
 #include "base/regular.h"
 #include <errno.h>

@@ -6,6 +6,7 @@
 #include "laws/law.h"
 #include "out/dir.h"
 #include "out/summary.h"
+#include "out/summary_read.h"
 #include "study/csv.h"
 #include <math.h>
 #include <stdlib.h>

@@ -6,6 +6,7 @@
 #include "out/dir.h"
 #include "out/made.h"
 #include "out/summary.h"
+#include "out/summary_read.h"
 #include "study/open.h"
 #include "study/run_biaxial.h"
 #include "study/run_bodies.h"

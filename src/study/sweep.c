@@ -8,6 +8,7 @@
 #include "laws/law.h"
 #include "out/dir.h"
 #include "out/summary.h"
+#include "out/summary_read.h"
 #include "study/run.h"
 #include <stdio.h>
 #include <stdlib.h>

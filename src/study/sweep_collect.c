@@ -10,6 +10,7 @@
 #include "base/student.h"
 #include "out/dir.h"
 #include "out/summary.h"
+#include "out/summary_read.h"
 #include "out/table.h"
 #include <math.h>
 #include <stdlib.h>

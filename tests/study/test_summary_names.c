@@ -5,6 +5,7 @@
 #include "laws/law.h"
 #include "out/dir.h"
 #include "out/summary.h"
+#include "out/summary_read.h"
 #include "scene/text.h"
 #include "study/run.h"
 

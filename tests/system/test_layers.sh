@@ -24,7 +24,7 @@ verify: base scene laws patch broad core out draw study
 cli: base scene laws patch broad core out draw study verify
 '
 # Folders whose circles are still to be taken apart. This list only shrinks.
-later='scene laws out'
+later='scene'
 
 sources() { find "$root/src" -name '*.[ch]' -o -name '*.cpp' -o -name '*.hpp' | sort; }
 
@@ -85,7 +85,7 @@ functions() {
                 sub(/\(.*/, "", head)
                 sub(/.*[ *]/, "", head)
             }
-            if (head == "" && file ~ /\.h$/ && line ~ /^[a-z_]+ [a-z][a-z0-9_, ]*[,;] *$/) named = 1 # TYPE NAME, NAME;
+            if (head == "" && file ~ /\.h$/ && line !~ /^(extern|typedef|struct|union|enum) / && line ~ /^[a-z_]+ [a-z][a-z0-9_, ]*[,;] *$/) named = 1 # TYPE NAME, NAME;
             if (named) {
                 unit = file
                 sub(/.*\/src\//, "", unit)
