@@ -2,6 +2,7 @@
 #include "out/summary.h"
 
 #include "base/version.h"
+#include "scene/what.h"
 #include <errno.h>
 #include <jansson.h>
 #include <math.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "scene/scene.h"
+#include "scene/pick.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 #define TR_READ_H
 
 #include "scene/expression.h"
-#include "scene/scene.h"
+#include "scene/data.h"
 #include "scene/tree.h"
 
 typedef struct tr_document {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* An entry is new, busy or done. Meeting a busy one again is a cycle, and the askers tell its way. */
 #include "scene/resolve.h"
+#include "scene/pick.h"
 #include "scene/tables.h"
 
 #include <errno.h>

@@ -5,7 +5,7 @@
 #define TR_RESOLVE_H
 
 #include "scene/expression.h"
-#include "scene/scene.h"
+#include "scene/data.h"
 #include "scene/tree.h"
 
 /* One key of one mapping of the case. */

@@ -3,6 +3,8 @@
  *
  * A further document is the first with what it says changed, and from then on a case like any other: its defaults, and the names
  * in its expressions, are its own. */
+#include "scene/scene.h"
+
 #include "base/alloc.h"
 #include "scene/read.h"
 

@@ -3,6 +3,8 @@
  * and of signs, not unusual physics. No key may be the name of a unit, so that `m` is always the metre. */
 #include "scene/tables.h"
 
+#include "scene/what.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -3,7 +3,7 @@
 #ifndef TR_TABLES_H
 #define TR_TABLES_H
 
-#include "scene/scene.h"
+#include "scene/data.h"
 #include "scene/text.h"
 
 enum {

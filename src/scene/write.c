@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* tr_scene to case text: the tables again, the other way round. */
+#include "scene/write.h"
+
+#include "scene/pick.h"
 #include "scene/tables.h"
 #include "base/alloc.h"
 #include "base/gather.h"

@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "core/step.h"
+#include "scene/pick.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -4,6 +4,7 @@
 #include "laws/law.h"
 #include "out/dir.h"
 #include "out/made.h"
+#include "scene/write.h"
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>

@@ -6,6 +6,7 @@
 #include "base/part.h"
 #include "core/checkpoint.h"
 #include "laws/law.h"
+#include "scene/write.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>

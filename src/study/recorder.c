@@ -3,6 +3,7 @@
 
 #include "core/record.h"
 #include "out/table.h"
+#include "scene/pick.h"
 #include "study/schedule.h"
 #include <math.h>
 #include <stdlib.h>

@@ -7,6 +7,7 @@
 #include "out/made.h"
 #include "out/summary.h"
 #include "out/summary_read.h"
+#include "scene/write.h"
 #include "study/open.h"
 #include "study/run_biaxial.h"
 #include "study/run_bodies.h"

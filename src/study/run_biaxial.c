@@ -10,6 +10,7 @@
 #include "out/summary.h"
 #include "base/alloc.h"
 #include "laws/law.h"
+#include "scene/write.h"
 #include "study/clock.h"
 #include "study/inset.h"
 #include "study/open.h"

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "study/shown_check.h"
 
+#include "scene/what.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

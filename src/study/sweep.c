@@ -9,6 +9,7 @@
 #include "out/dir.h"
 #include "out/summary.h"
 #include "out/summary_read.h"
+#include "scene/write.h"
 #include "study/run.h"
 #include <stdio.h>
 #include <stdlib.h>

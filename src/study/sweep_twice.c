@@ -7,6 +7,7 @@
 #include "base/alloc.h"
 #include "base/hash.h"
 #include "laws/law.h"
+#include "scene/write.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -3,6 +3,7 @@
  *
  *   slip to roll   thrown with v0 without spin: rolls from t = v0/(3 mu g) on, at 2/3 v0, a third of the energy lost
  *   incline        law by law, see `resistances` */
+#include "scene/what.h"
 #include "verify/exact.h"
 
 #include "laws/law.h"

@@ -5,6 +5,7 @@
 #include "laws/law.h"
 #include "out/made.h"
 #include "out/table.h"
+#include "scene/what.h"
 #include "study/checks.h"
 #include "study/play.h"
 #include <stdio.h>

@@ -4,6 +4,7 @@
 #include "fuzz.h"
 #include "laws/law.h"
 #include "scene/scene.h"
+#include "scene/write.h"
 
 enum { SETS = 4 };
 

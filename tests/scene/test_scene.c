@@ -4,6 +4,7 @@
 #include "base/random.h"
 #include "fake_catalog.h"
 #include "laws/law.h"
+#include "scene/write.h"
 #include <float.h>
 #include <glob.h>
 #include <stdlib.h>

@@ -7,6 +7,7 @@
 #include "core/paths.h"
 #include "core/step.h"
 #include "laws/law.h"
+#include "scene/write.h"
 #include "study/contact.h"
 #include "study/inside.h"
 #include "study/path.h"

@@ -7,6 +7,7 @@
 #include "base/version.h"
 #include "laws/law.h"
 #include "out/dir.h"
+#include "scene/write.h"
 #include "study/sweep.h"
 #include "study/sweep_collect.h"
 #include "study/sweep_read.h"
