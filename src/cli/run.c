@@ -8,19 +8,20 @@
 #include "cli/progress.h"
 #include "cli/stop.h"
 #include "laws/law.h"
+#include "scene/keys.h"
 #include "study/run.h"
 #include <argp.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_SETS = 256, CHECK = 1000, SEED, FRAMES, SET, FORCE, RESUME, CHECKPOINT, SAMPLE, THREADS };
+enum { MAX_SETS = 256, CHECK = 1000, SEED, FRAMES, SET, FORCE, RESUME, CHECKPOINT, SAMPLE, THREADS, KEYS };
 
 typedef struct arguments {
     const char *file, *dir, *sample;
     const char *set[MAX_SETS];
     int n_set;
-    bool force, check, resume;
+    bool force, check, resume, keys; /* keys: file is the kind */
     double checkpoint;
     int threads;
     char *owned[MAX_SETS]; /* texts made of --seed and --frames */
@@ -43,6 +44,9 @@ static const struct argp_option options[] = {
     {"threads", THREADS, "N", 0, "share the work of more than 4000 disks (default: 1); the results are the same bits",
      0},
     {"check", CHECK, NULL, 0, "only check the case", 0},
+    {"keys", KEYS, NULL, 0,
+     "print all keys of a case of this KIND, or of all kinds, as Markdown tables: key, unit, default, range, meaning",
+     0},
     {0},
 };
 
@@ -77,6 +81,7 @@ static error_t parse(int key, char *value, struct argp_state *state) {
             argp_error(state, "--checkpoint takes seconds, not %s", value);
         break;
     case ARGP_KEY_END:
+        if (!a->file && !a->keys) argp_error(state, "which case file?");
         if (a->resume && a->force) argp_error(state, "--resume keeps what is there, --force replaces it");
         break;
     case THREADS:
@@ -88,6 +93,9 @@ static error_t parse(int key, char *value, struct argp_state *state) {
     case CHECK:
         a->check = true;
         break;
+    case KEYS:
+        a->keys = true;
+        break;
     case SET:
         add_set(a, value, state);
         break;
@@ -98,11 +106,8 @@ static error_t parse(int key, char *value, struct argp_state *state) {
         add_short(a, "output.frames", value, state);
         break;
     case ARGP_KEY_ARG:
-        if (a->file) argp_error(state, "one case file at a time");
+        if (a->file) argp_error(state, "one case file, or one kind, at a time");
         a->file = value;
-        break;
-    case ARGP_KEY_NO_ARGS:
-        argp_error(state, "which case file?");
         break;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -166,13 +171,23 @@ static int run(const arguments *a) {
     return st.code ? tr_cli_fail(&st) : TR_OK;
 }
 
+static int print_keys(const char *kind) {
+    tr_status st = {0};
+    char *text = tr_scene_keys(kind, tr_laws_catalog(), &st);
+    if (!text) return tr_cli_fail(&st);
+    fputs(text, stdout);
+    free(text);
+    return TR_OK;
+}
+
 int tr_cli_run(int argc, char **argv) {
     arguments a = {.checkpoint = 60};
     const struct argp argp = {
-        options, parse, "CASE.yaml", "Runs a case file and writes curves, tables, frames and a film.", 0, 0, 0};
+        options, parse, "CASE.yaml\n--keys [KIND]", "Runs a case file and writes curves, tables, frames and a film.",
+        0,       0,     0};
     argv[0] = "trundle run";
     tr_cli_parse(&argp, argc, argv, &a);
-    int code = run(&a);
+    int code = a.keys ? print_keys(a.file) : run(&a);
     for (int k = 0; k < a.n_owned; k++) free(a.owned[k]);
     return code;
 }
