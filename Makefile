@@ -33,7 +33,7 @@ LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o)
 CLI_OBJ  := $(CLI_SRC:%=$(BUILD)/%.o)
 TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all biaxial creep definitions figures wang kuhn kuhn-film bands replay spread features bench bench-peers demos gallery verify test mutate faults random test-slurm install asan tsan fuzz lint format clean help packages-% build-all build-faults build-random run-demos run-tests run-tsan
+.PHONY: all biaxial creep definitions figures wang kuhn kuhn-film bands replay spread features bench bench-peers demos gallery man install-man verify test mutate faults random test-slurm install asan tsan fuzz lint format clean help packages-% build-all build-faults build-random run-demos run-tests run-tsan
 .SECONDARY:
 
 all: packages-build ## builds ./trundle (make without a target)
@@ -122,6 +122,11 @@ gallery: packages-gallery ## the demos as one page for a lecture: out/gallery/in
 	    $(MAKE) --no-print-directory $(OUT)/gallery/index.html || code=$$?; exit $$code
 	@echo "page: $(OUT)/gallery/index.html, to take along: $(OUT)/gallery.zip (needs zip)"
 
+man: packages-man ## man pages of trundle and each command: out/man/*.1
+	@$(MAKE) --no-print-directory build-all
+	@$(MAKE) --no-print-directory $(OUT)/man/trundle.1
+	@echo "pages: $(OUT)/man/*.1, to read one: man -l $(OUT)/man/trundle-run.1"
+
 # Minutes. The figures show what failed too.
 verify: packages-build ## comparison with answers from elsewhere, error against run time: out/verify/ (minutes)
 	@$(MAKE) --no-print-directory build-all
@@ -177,10 +182,13 @@ fuzz: packages-fuzz ## hostile input for every reader, SECONDS=60 each; finds st
 	@$(MAKE) --no-print-directory run-fuzz BUILD=build/fuzz CC=clang CXX=clang++ \
 	    CFLAGS='-O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined'
 
-install: all ## PREFIX=/usr/local DESTDIR=: trundle and the cases
+# Without help2man there are no man pages; the rest is installed all the same.
+install: all ## PREFIX=/usr/local DESTDIR=: trundle, the cases, man pages, completion for bash
 	install -D -m 755 trundle $(DESTDIR)$(PREFIX)/bin/trundle
 	install -d $(DESTDIR)$(PREFIX)/share/trundle/cases
 	install -m 644 cases/*.yaml $(DESTDIR)$(PREFIX)/share/trundle/cases/
+	install -D -m 644 src/cli/completion.bash $(DESTDIR)$(PREFIX)/share/bash-completion/completions/trundle
+	@if .ci/packages man; then $(MAKE) --no-print-directory install-man; else echo 'without man pages: no help2man'; fi
 
 lint: packages-lint ## clang-tidy and cppcheck
 	clang-tidy --quiet $(LIB_SRC) $(CLI_SRC) -- -D_GNU_SOURCE -Isrc $(shell pkg-config --cflags $(PKGS) 2>/dev/null)
@@ -309,6 +317,12 @@ $(OUT)/demos/%.done: cases/%.yaml $(TRUNDLE)
 	@touch $@
 $(OUT)/gallery/index.html: $(wildcard figures/gallery/* $(OUT)/demos/*/summary.json)
 	figures/gallery/build.sh $(OUT)/demos $(OUT)/gallery $(DEMOS)
+
+$(OUT)/man/trundle.1: src/cli/man.sh $(TRUNDLE)
+	$< $(TRUNDLE) $(@D)
+install-man: $(OUT)/man/trundle.1
+	install -d $(DESTDIR)$(PREFIX)/share/man/man1
+	install -m 644 $(OUT)/man/*.1 $(DESTDIR)$(PREFIX)/share/man/man1/
 
 run-tests: $(TRUNDLE) $(TESTS) build-faults build-random $(FUZZ:%=$(BUILD)/tests/fuzz/replay_%)
 	@BUILD=$(abspath $(BUILD)) FAULTS=$(abspath $(BUILD)/tests/faults) RANDOM_SCENES=$(abspath $(BUILD)/random) tests/run $(TRUNDLE) $(TESTS)

@@ -29,11 +29,12 @@ enum { N_COMMANDS = sizeof commands / sizeof *commands };
 static int usage(FILE *to, int code) {
     fprintf(to,
             "trundle %s: disks that roll and slide (2D DEM for teaching and for verifying contact laws)\n\n"
-            "usage: trundle COMMAND [OPTION...]\n\n",
+            "Usage: trundle COMMAND [OPTION...]\n\n",
             TR_VERSION);
-    for (int k = 0; k < N_COMMANDS; k++) fprintf(to, "  %-8s %s\n", commands[k].name, commands[k].doc);
-    fputs("\n  trundle COMMAND --help     options of a command\n  trundle --version\n\n"
-          "exit: 0 done, 1 a check failed, 2 usage or case, 3 files, 4 numerical failure, 130 interrupted\n",
+    for (int k = 0; k < N_COMMANDS; k++) fprintf(to, "  %-9s %s\n", commands[k].name, commands[k].doc);
+    fputs("\n  trundle COMMAND --help    options of a command\n"
+          "  trundle --version         version, and the commit that it was built from\n\n"
+          "Exit code: 0 done, 1 a check failed, 2 usage or case, 3 files, 4 numerical failure, 130 interrupted\n",
           to);
     return code;
 }

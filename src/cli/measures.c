@@ -56,10 +56,10 @@ static const char doc[] =
     "  Vt                   (v2 - v1).t [m/s]\n"
     "  da,db                arcs per second, s1 and -s2 [m/s]\n"
     "  s1,s2                R1(w1 - beta_dot), -R2(w2 - beta_dot) [m/s]\n"
-    "  Vr_... Us_... Vs_... rolling (r) and sliding (s) by author [m/s]; the card says what each is\n"
+    "  Vr_..., Us_..., Vs_...  rolling (r), sliding (s) [m/s]: see the card\n"
     "  Vr_tordesillas       w1 - w2 [rad/s]\n"
     "  Vroll_kuhn           material through the contact, along t\n"
-    "  Vs_midpoint          with arms to the middle of the overlap, R - delta/2; R2 - delta at a wall\n"
+    "  Vs_midpoint          arms R - delta/2; R2 - delta at a wall\n"
     "  lambda_dot           common spin of pure sliding [rad/s]\n"
     "  alpha1_dot,..2_dot   spins of pure rolling [rad/s]\n";
 
