@@ -33,7 +33,7 @@ LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o)
 CLI_OBJ  := $(CLI_SRC:%=$(BUILD)/%.o)
 TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all biaxial creep definitions figures wang kuhn kuhn-film bands replay spread features bench bench-peers demos gallery man install-man verify test mutate faults random test-slurm install asan tsan fuzz lint format clean help packages-% build-all build-faults build-random run-demos run-tests run-tsan
+.PHONY: all biaxial creep definitions figures wang kuhn kuhn-film bands replay spread features bench bench-peers demos gallery man install-man manual verify test mutate faults random test-slurm install asan tsan fuzz lint format clean help packages-% build-all build-faults build-random run-demos run-tests run-tsan
 .SECONDARY:
 
 all: packages-build ## builds ./trundle (make without a target)
@@ -126,6 +126,11 @@ man: packages-man ## man pages of trundle and each command: out/man/*.1
 	@$(MAKE) --no-print-directory build-all
 	@$(MAKE) --no-print-directory $(OUT)/man/trundle.1
 	@echo "pages: $(OUT)/man/*.1, to read one: man -l $(OUT)/man/trundle-run.1"
+
+manual: packages-manual ## one book of all pages with pictures: out/manual/index.html
+	@$(MAKE) --no-print-directory build-all
+	figures/manual/build.sh ./$(TRUNDLE) $(OUT)/manual
+	@echo "book: $(OUT)/manual/index.html"
 
 # Minutes. The figures show what failed too.
 verify: packages-build ## comparison with answers from elsewhere, error against run time: out/verify/ (minutes)
