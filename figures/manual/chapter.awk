@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# One page, as cmark-gfm makes it, to a chapter of the book: headings get an id and go one level down, links between pages
-# become links inside the book, tables may be wider than the window.
+# One page, as cmark-gfm makes it, to a chapter of the book: headings get an id and go one level down, links between
+# pages become links inside the book, tables may be wider than the window.
 # -v page= its name; pages= the names of all; contents= gets lines of the contents, files= the names of files to copy
 
 function chapter_of(name) {

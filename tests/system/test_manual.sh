@@ -67,7 +67,8 @@ fi
 # width SIZE: how wide the book is in a window of this size. (Chromium makes windows this small for screenshots alone.)
 width() {
     sed 's|</body>|<script>const tell = () => console.log("width", document.documentElement.scrollWidth); tell();\
-        addEventListener("resize", tell); addEventListener("load", tell)</script></body>|' "$page" >"$work/measured.html"
+        addEventListener("resize", tell); addEventListener("load", tell)</script></body>|' \
+        "$page" >"$work/measured.html"
     mv "$work/measured.html" "$book"
     timeout 60 chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --user-data-dir="$work/browser" \
         --window-size="$1" --enable-logging=stderr --screenshot="$work/shot.png" "file://$book/measured.html" 2>&1 |
