@@ -4,8 +4,8 @@
 # The public targets first check what the machine has (.ci/packages installs what is missing). Then they call make again, because
 # the compiler flags below ask pkg-config, and pkg-config may be one of the missing packages.
 
-# As many jobs as processors, unless -j says another number. V=1 shows the commands of the build.
-ifeq ($(filter -j% --jobserver%,$(MAKEFLAGS)),)
+# As many jobs as processors, unless -j says another number; a make that make calls shares them. V=1 shows the commands.
+ifeq ($(MAKELEVEL),0)
 MAKEFLAGS += -j$(shell nproc)
 endif
 step = $(if $(V),,@printf '%-4s %s\n' $(1) $@ &&)
