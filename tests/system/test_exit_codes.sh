@@ -34,6 +34,10 @@ check '--version: 0' program_gives 0 --version
 check 'run --help: 0' program_gives 0 run --help
 check 'no case: 2' program_gives 2 run
 check 'two cases: 2' program_gives 2 run small.yaml bodies.yaml
+check 'all keys: 0' program_gives 0 run --keys
+check 'keys of a kind: 0' program_gives 0 run --keys patch
+check 'keys of no kind: 2' program_gives 2 run --keys small.yaml
+check 'with the kinds that there are' says stderr 'there are biaxial|bodies|contact|patch'
 check 'unknown option: 2' program_gives 2 run small.yaml --frobnicate
 check 'bench of too short a test: 2' program_gives 2 bench small.yaml --set shear.strain_end=1e-6
 check 'bench of bodies: 2' program_gives 2 bench bodies.yaml

@@ -24,6 +24,11 @@ if command -v help2man >/dev/null 2>&1; then
             grep -q "^trundle-$command \\\\- [a-z]" "$work/man/trundle-$command.1"
         check "$command: its page has a synopsis" grep -q '^\.SH SYNOPSIS' "$work/man/trundle-$command.1"
     done
+    made() {
+        (unset MAKEFLAGS MAKELEVEL && make --no-print-directory TRUNDLE="$TRUNDLE" OUT="$work/out" "$@" >"$work/made")
+    }
+    check 'make install puts them there' made install-man DESTDIR="$work/root" PREFIX=/usr
+    check 'all of them' diff -r "$work/man" "$work/root/usr/share/man/man1"
     check 'no page names this directory' not grep -r "$work" "$work/man"
     if command -v groff >/dev/null 2>&1; then
         warnings() { groff -man -Tutf8 -ww "$work"/man/*.1 2>&1 >"$work/read"; }
