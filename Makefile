@@ -4,9 +4,10 @@
 # The public targets first check what the machine has (.ci/packages installs what is missing). Then they call make again, because
 # the compiler flags below ask pkg-config, and pkg-config may be one of the missing packages.
 
-# As many jobs as processors, unless -j says another number; a make that make calls shares them. V=1 shows the commands.
+# As many jobs as processors, JOBS=1 for one. V=1 shows the commands of the build.
+JOBS ?= $(shell nproc)
 ifeq ($(MAKELEVEL),0)
-MAKEFLAGS += -j$(shell nproc)
+MAKEFLAGS += -j$(JOBS)
 endif
 step = $(if $(V),,@printf '%-4s %s\n' $(1) $@ &&)
 
@@ -16,7 +17,7 @@ PREFIX ?= /usr/local
 DESTDIR ?=
 
 PKGS  := yaml-0.1 muparser jansson box2d cairo freetype2 libpng libisal
-FLAGS := -Isrc -Itests -Wall -Wextra -Wpedantic -ffp-contract=off -pthread -MMD -MP $(shell pkg-config --cflags $(PKGS) 2>/dev/null)
+FLAGS := -Isrc -Itests -Wall -Wextra -Wpedantic -ffp-contract=off -pthread -fPIC -fvisibility=hidden -MMD -MP $(shell pkg-config --cflags $(PKGS) 2>/dev/null)
 # -fno-math-errno -fno-trapping-math let square roots and comparisons become vector code; they change no value.
 C_FLAGS   := -std=c17 -D_GNU_SOURCE -fno-math-errno -fno-trapping-math $(FLAGS) $(CFLAGS)
 CXX_FLAGS := -std=c++17 $(FLAGS) $(CFLAGS)
@@ -33,7 +34,7 @@ LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o)
 CLI_OBJ  := $(CLI_SRC:%=$(BUILD)/%.o)
 TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all biaxial creep definitions figures wang kuhn kuhn-film bands replay spread features bench bench-peers demos gallery man install-man manual verify test mutate faults random test-slurm install asan tsan fuzz lint format clean help packages-% build-all build-faults build-random run-demos run-tests run-tsan
+.PHONY: all biaxial creep definitions figures wang kuhn kuhn-film bands replay spread features bench bench-peers demos gallery man install-man manual verify test mutate faults random test-slurm install asan tsan fuzz lint format clean help packages-% build-all build-faults build-random run-demos run-install run-tests run-tsan
 .SECONDARY:
 
 all: packages-build ## builds ./trundle (make without a target)
@@ -188,12 +189,21 @@ fuzz: packages-fuzz ## hostile input for every reader, SECONDS=60 each; finds st
 	    CFLAGS='-O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined'
 
 # Without help2man there are no man pages; the rest is installed all the same.
-install: all ## PREFIX=/usr/local DESTDIR=: trundle, the cases, man pages, completion for bash
-	install -D -m 755 trundle $(DESTDIR)$(PREFIX)/bin/trundle
-	install -d $(DESTDIR)$(PREFIX)/share/trundle/cases
+install: all ## PREFIX=/usr/local DESTDIR=: trundle, the library, the cases, man pages, completion for bash
+	@$(MAKE) --no-print-directory run-install
+	@if .ci/packages man; then $(MAKE) --no-print-directory install-man; else echo 'without man pages: no help2man'; fi
+run-install: $(TRUNDLE) $(BUILD)/api/libtrundle.so $(BUILD)/api/libtrundle.a
+	install -D -m 755 $(TRUNDLE) $(DESTDIR)$(PREFIX)/bin/trundle
+	install -d $(DESTDIR)$(PREFIX)/share/trundle/cases $(DESTDIR)$(PREFIX)/lib/pkgconfig
 	install -m 644 cases/*.yaml $(DESTDIR)$(PREFIX)/share/trundle/cases/
 	install -D -m 644 src/cli/completion.bash $(DESTDIR)$(PREFIX)/share/bash-completion/completions/trundle
-	@if .ci/packages man; then $(MAKE) --no-print-directory install-man; else echo 'without man pages: no help2man'; fi
+	install -D -m 644 src/trundle.h $(DESTDIR)$(PREFIX)/include/trundle.h
+	install -m 644 $(BUILD)/api/libtrundle.a $(DESTDIR)$(PREFIX)/lib/
+	install -m 755 $(BUILD)/api/libtrundle.so $(DESTDIR)$(PREFIX)/lib/libtrundle.so.0
+	ln -sf libtrundle.so.0 $(DESTDIR)$(PREFIX)/lib/libtrundle.so
+	printf '%s\n' 'prefix=$(PREFIX)' 'Name: trundle' 'Description: 2D disks with laws of friction, rolling resistance and creep' \
+	    'Version: $(VERSION)' 'Cflags: -I$${prefix}/include' 'Libs: -L$${prefix}/lib -ltrundle' 'Requires.private: $(API_PKGS)' \
+	    'Libs.private: -lstdc++ -lm -lpthread' >$(DESTDIR)$(PREFIX)/lib/pkgconfig/trundle.pc
 
 lint: packages-lint ## clang-tidy and cppcheck
 	clang-tidy --quiet $(LIB_SRC) $(CLI_SRC) -- -D_GNU_SOURCE -Isrc $(shell pkg-config --cflags $(PKGS) 2>/dev/null)
@@ -225,6 +235,17 @@ $(BUILD)/trundle: $(CLI_OBJ) $(BUILD)/libtrundle.a
 $(BUILD)/libtrundle.a: $(LIB_OBJ)
 	@rm -f $@
 	$(call step,AR) ar rcs $@ $^
+# The public library: only the names of src/trundle.h are seen, in the archive too.
+API_PKGS := yaml-0.1 muparser box2d
+API_OBJ  := $(filter $(foreach part,api base broad core laws patch scene,$(BUILD)/src/$(part)/%),$(LIB_OBJ))
+VERSION  := $(shell sed -n 's/.*TR_VERSION "\(.*\)".*/\1/p' src/base/version.h)
+$(BUILD)/api/libtrundle.so: $(API_OBJ) src/api/names.map
+	@mkdir -p $(@D)
+	$(call step,LINK) $(CXX) $(CFLAGS) $(LDFLAGS) -shared -Wl,-soname,libtrundle.so.0 -Wl,--version-script=src/api/names.map -Wl,--no-undefined \
+	    -o $@ $(API_OBJ) $(shell pkg-config --libs $(API_PKGS) 2>/dev/null) -lm -pthread
+$(BUILD)/api/libtrundle.a: $(API_OBJ)
+	@mkdir -p $(@D) && rm -f $@
+	$(call step,AR) $(LD) -r -o $(@:.a=.o) $^ && objcopy --wildcard --keep-global-symbol='trundle_*' $(@:.a=.o) && ar rcs $@ $(@:.a=.o)
 $(BUILD)/%.c.o: %.c
 	@mkdir -p $(@D)
 	$(call step,CC) $(CC) $(C_FLAGS) -c -o $@ $<

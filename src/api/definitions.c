@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT */
+#include "api/api.h"
+#include "laws/kinematics.h"
+#include "laws/law.h"
+
+#include <math.h>
+
+int trundle_definition_count(trundle_velocity kind) {
+    return kind == TRUNDLE_ROLLING ? tr_n_rolling_measures : kind == TRUNDLE_SLIDING ? tr_n_sliding_measures : 0;
+}
+
+static const tr_velocity_measure *row(trundle_velocity kind, int i) {
+    if (i < 0 || i >= trundle_definition_count(kind)) return NULL;
+    return kind == TRUNDLE_ROLLING ? &tr_rolling_velocities[i] : &tr_sliding_velocities[i];
+}
+
+const char *trundle_definition_name(trundle_velocity kind, int i) {
+    const tr_velocity_measure *m = row(kind, i);
+    return m ? m->name : NULL;
+}
+
+double trundle_definition_value(trundle_velocity kind, int i, double R1, double R2, const trundle_body *one,
+                                const trundle_body *two) {
+    const tr_velocity_measure *m = row(kind, i);
+    const double dx = two->x - one->x, dy = two->y - one->y, g1 = R1 / (R1 + R2);
+    if (!m || !(hypot(dx, dy) > 0) || !(R1 > 0) || !(R2 > 0)) return NAN;
+    tr_tile tile = {.n = 1, .R1 = &R1, .R2 = &R2, .g1 = &g1};
+    tile.dx[0] = dx, tile.dy[0] = dy;
+    tile.dvx[0] = two->vx - one->vx, tile.dvy[0] = two->vy - one->vy;
+    tile.w1[0] = one->spin, tile.w2[0] = two->spin;
+    tr_kinematics_pair(&tile, NULL);
+    m->step(&tile, NULL);
+    return kind == TRUNDLE_ROLLING ? tile.v_r[0] : tile.v_s[0];
+}

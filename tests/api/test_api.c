@@ -1,0 +1,223 @@
+/* SPDX-License-Identifier: MIT */
+/* The public face: one contact against closed forms and against a world, what is refused, what is read. */
+#include "assert_close.h"
+#include "trundle.h"
+
+#include <string.h>
+
+static const char spring[] =
+    "k_n: 1 MPa, damping_ratio: 0, friction: coulomb-spring, mu: 0.5, k_t: 1 MPa, rolling: none";
+static const trundle_pair pair = {.R1 = 0.01, .R2 = 0.03, .density1 = 1000, .density2 = 1000};
+
+static trundle_contact *contact_of(const char *laws, const trundle_pair *p) {
+    trundle_error error;
+    trundle_contact *c = trundle_contact_new(laws, p, &error);
+    if (!c) fail_msg("%s", error.text);
+    return c;
+}
+
+/* Overlap 1e-5 m, sliding 1e-6 m in ten steps: f_n = k_n delta, Q = k_t u on body 2 against its motion, torques by the arms. */
+static void spring_by_hand(void **state) {
+    (void)state;
+    trundle_contact *c = contact_of(spring, &pair);
+    trundle_body one = {0}, two = {.x = 0.04 - 1e-5, .vy = 0.01};
+    trundle_force f;
+    for (int k = 0; k < 10; k++) assert_int_equal(trundle_contact_step(c, 1e-5, &one, &two, &f, NULL), TRUNDLE_OK);
+    const double r1 = 0.01 * (0.04 - 1e-5) / 0.04, r2 = 3 * r1; /* the overlap is shared by the radii */
+    assert_close(f.fx, 10, 1e-9, 0);
+    assert_close(f.fy, -1, 1e-9, 0);
+    assert_close(f.torque1, r1, 1e-9, 0);
+    assert_close(f.torque2, r2, 1e-9, 0);
+    trundle_touch t;
+    assert_int_equal(trundle_contact_read(c, &t, NULL), TRUNDLE_OK);
+    assert_close(t.overlap, 1e-5, 1e-9, 0);
+    assert_close(t.mobilisation, 0.2, 1e-9, 0);
+    assert_true(t.a == 0 && t.b == 1);
+    trundle_contact_read(c, &t, NULL); /* reading is no step */
+    assert_close(t.mobilisation, 0.2, 1e-9, 0);
+    trundle_contact_reset(c);
+    two.vy = 0;
+    trundle_contact_step(c, 1e-5, &one, &two, &f, NULL);
+    assert_close(f.fy, 0, 0, 1e-12);
+    two.vy = 0.01;
+    trundle_contact_step(c, 1e-5, &one, &two, &f, NULL);
+    two.x = 0.05;
+    trundle_contact_step(c, 1e-5, &one, &two, &f, NULL);
+    assert_close(f.fx, 0, 0, 0);
+    two.x = 0.04 - 1e-5, two.vy = 0;
+    trundle_contact_step(c, 1e-5, &one, &two, &f, NULL);
+    assert_close(f.fy, 0, 0, 1e-12); /* it has been open */
+    trundle_contact_free(c);
+}
+
+/* A plane whose normal is tilted: the same as upright, turned. */
+static void plane_turned(void **state) {
+    (void)state;
+    const double angle = 0.6, nx = -sin(angle), ny = cos(angle);
+    const trundle_pair upright = {.R2 = 0.03, .density2 = 1000, .ny = 1},
+                       tilted = {.R2 = 0.03, .density2 = 1000, .nx = nx, .ny = ny};
+    trundle_contact *a = contact_of(spring, &upright), *b = contact_of(spring, &tilted);
+    trundle_body floor = {0}, slope = {.x = 5 * ny, .y = -5 * nx}, disk = {.y = 0.02999, .vx = 0.02, .spin = 0.3},
+                 turned = disk;
+    turned.x = disk.y * nx, turned.y = disk.y * ny, turned.vx = disk.vx * ny, turned.vy = -disk.vx * nx;
+    trundle_force f, g;
+    for (int k = 0; k < 5; k++) {
+        trundle_contact_step(a, 1e-5, &floor, &disk, &f, NULL);
+        trundle_contact_step(b, 1e-5, &slope, &turned, &g, NULL);
+    }
+    assert_true(f.fx != 0 && f.fy > 0);
+    assert_close(g.fx, f.fx * ny + f.fy * nx, 0, 1e-9); /* overlaps of 1e-5 from lengths of 5: 1e-15/1e-5 of 10 N/m */
+    assert_close(g.fy, f.fy * ny - f.fx * nx, 0, 1e-9);
+    assert_close(g.torque2, f.torque2, 0, 1e-9);
+    assert_true(f.torque1 == 0 && g.torque1 == 0);
+    trundle_touch t;
+    trundle_contact_read(a, &t, NULL);
+    assert_int_equal(t.a, -1);
+    trundle_contact_free(a), trundle_contact_free(b);
+}
+
+/* Every law of friction and rolling: two bodies of a world, and a contact that is led along their motion, have the same bits. */
+static void as_in_a_world(void **state) {
+    (void)state;
+    static const char *const laws[] = {
+        "k_n: 1 MPa, friction: dahlberg-alfredsson, mu: 0.3, k_t: 1 MPa, E_star: 2.5 MPa, mu_r: 0.01, k_r: 1 MPa",
+        "normal: hertz-line, E_star: 2.5 MPa, friction: kuhn-creep, mu: 0.3, nu: 0.3, rolling: none",
+        "k_n: 1 MPa, mu: 0.3, rolling: conjugate-spring, rolling_velocity: alonso-mean, mu_r: 0.1, k_r: 1 MPa",
+        "k_n: 1 MPa, mu: 0.3, rolling: star-force-proportional, mu_r: 0.1"};
+    for (size_t k = 0; k < sizeof laws / sizeof *laws; k++) {
+        char text[800];
+        trundle_error error;
+        snprintf(text, sizeof text,
+                 "kind: bodies\ntime_end: 1\ncontact: {%s}\ndisks:\n"
+                 "  - {radius: 0.01, density: 1000, x: 0, y: 0, spin: 30}\n"
+                 "  - {radius: 0.03, density: 1000, x: 0.039, y: 0.0089, vx: -0.3}\n",
+                 laws[k]);
+        trundle_scene *scene = trundle_scene_read("pair", text, NULL, 0, &error);
+        trundle_world *world = scene ? trundle_world_new(scene, &error) : NULL;
+        if (!world) fail_msg("%s", error.text);
+        trundle_contact *c = contact_of(laws[k], &pair);
+        int touched = 0;
+        for (int n = 0; n < 2000; n++) {
+            trundle_disk before[2], now[2];
+            trundle_body body[2];
+            trundle_force f;
+            for (int i = 0; i < 2; i++) trundle_world_disk(world, i, &before[i], NULL);
+            assert_int_equal(trundle_world_step(world, 1, &error), TRUNDLE_OK);
+            for (int i = 0; i < 2; i++) {
+                trundle_world_disk(world, i, &now[i], NULL);
+                /* contacts see the velocities half a step behind */
+                double kick = trundle_world_dt(world) / 2, I = before[i].mass * before[i].radius * before[i].radius / 2;
+                body[i] = (trundle_body){now[i].x, now[i].y, before[i].vx + kick * before[i].fx / before[i].mass,
+                                         before[i].vy + kick * before[i].fy / before[i].mass,
+                                         before[i].spin + kick * before[i].torque / I};
+            }
+            assert_int_equal(trundle_contact_step(c, trundle_world_dt(world), &body[0], &body[1], &f, &error),
+                             TRUNDLE_OK);
+            double most = 1e-9 * (fabs(f.fx) + fabs(f.fy)); /* velocities go through two roundings more */
+            assert_close(f.fx, now[1].fx, 1e-9, most);
+            assert_close(f.fy, now[1].fy, 1e-9, most);
+            assert_close(f.torque1, now[0].torque, 1e-9, 0.01 * most);
+            assert_close(f.torque2, now[1].torque, 1e-9, 0.03 * most);
+            touched += f.fx != 0;
+        }
+        assert_true(touched > 20);
+        trundle_contact_free(c), trundle_world_free(world), trundle_scene_free(scene);
+    }
+}
+
+static void what_is_refused(void **state) {
+    (void)state;
+    trundle_error error;
+    trundle_pair odd = pair;
+    trundle_body body = {0};
+    trundle_force f;
+    assert_null(trundle_contact_new("k_n: 1 MPa, friction: coulom-spring, mu: 0.5, rolling: none", &pair, &error));
+    assert_int_equal(error.code, TRUNDLE_BAD_CASE);
+    assert_non_null(strstr(error.text, "coulom-spring"));
+    assert_null(trundle_contact_new("}", &pair, &error));
+    odd.R2 = 0;
+    assert_null(trundle_contact_new(spring, &odd, &error));
+    odd = (trundle_pair){.R2 = 1, .density2 = 1, .nx = 1, .ny = 1};
+    assert_null(trundle_contact_new(spring, &odd, NULL));
+    trundle_contact *c = contact_of(spring, &pair);
+    assert_int_equal(trundle_contact_step(c, 0, &body, &body, &f, &error), TRUNDLE_BAD_CASE);
+    assert_int_equal(trundle_contact_step(c, NAN, &body, &body, &f, &error), TRUNDLE_BAD_CASE);
+    trundle_body nowhere = {.x = 0.04, .vy = NAN};
+    nowhere.x -= 1e-5;
+    assert_int_equal(trundle_contact_step(c, 1e-5, &body, &nowhere, &f, &error), TRUNDLE_NUMERICAL);
+    trundle_contact_free(c), trundle_contact_free(NULL), trundle_world_free(NULL), trundle_scene_free(NULL);
+
+    assert_null(trundle_scene_read_file("no/such/file.yaml", NULL, 0, &error));
+    assert_int_equal(error.code, TRUNDLE_FILE);
+    const char *sets[] = {"time_end=2"};
+    trundle_scene *scene =
+        trundle_scene_read("a",
+                           "{kind: bodies, time_end: 1, contact: {k_n: 1 MPa, friction: none, rolling: none}, "
+                           "disks: [{radius: 1, x: 0, y: 0, vx: 1}]}",
+                           sets, 1, &error);
+    if (!scene) fail_msg("%s", error.text);
+    trundle_world *world = trundle_world_new(scene, &error);
+    trundle_disk disk;
+    trundle_biaxial state_of;
+    if (!world) fail_msg("%s", error.text);
+    assert_int_equal(trundle_world_disk(world, 1, &disk, &error), TRUNDLE_BAD_CASE);
+    assert_int_equal(trundle_world_disk(world, -1, &disk, NULL), TRUNDLE_BAD_CASE);
+    assert_int_equal(trundle_world_biaxial(world, &state_of, &error), TRUNDLE_BAD_CASE);
+    assert_int_equal(trundle_world_set_threads(world, 0, &error), TRUNDLE_BAD_CASE);
+    assert_int_equal(trundle_world_set_velocity(world, 0, NAN, 0, 0, &error), TRUNDLE_BAD_CASE);
+    assert_int_equal(trundle_world_set_velocity(world, 0, 2, 0, 0, &error), TRUNDLE_OK);
+    assert_int_equal(trundle_world_step(world, 7, &error), TRUNDLE_OK);
+    assert_int_equal(trundle_world_disk(world, 0, &disk, &error), TRUNDLE_OK);
+    assert_close(disk.x, 2 * trundle_world_time(world), 1e-12, 0);
+    trundle_world_free(world), trundle_scene_free(scene);
+}
+
+static void a_biaxial_test(void **state) {
+    (void)state;
+    trundle_error error;
+    const char *sets[] = {"sample.disks=50", "shear.inertial_number=1e-2", "shear.strain_end=0.01"};
+    trundle_scene *scene = trundle_scene_read_file("cases/biaxial.yaml", sets, 3, &error);
+    trundle_world *world = scene ? trundle_world_new(scene, &error) : NULL;
+    if (!world) fail_msg("%s", error.text);
+    trundle_biaxial s;
+    trundle_touch touch[400];
+    assert_int_equal(trundle_world_count(world), 50);
+    assert_int_equal(trundle_world_step(world, 2000, &error), TRUNDLE_OK);
+    assert_int_equal(trundle_world_biaxial(world, &s, &error), TRUNDLE_OK);
+    assert_close(s.stress_2, 160e3, 0.1, 0); /* held by the pistons */
+    assert_true(s.stress_1 > s.stress_2 && s.strain > 0);
+    int n = trundle_world_contacts(world, touch, 400, &error);
+    assert_true(n > 60 && n < 400);
+    assert_int_equal(trundle_world_contacts(world, touch, 1, &error), n);
+    for (int i = 0; i < n; i++) {
+        assert_true(touch[i].f_n >= 0 && touch[i].overlap > 0 && touch[i].mobilisation <= 1 + 1e-12);
+        assert_close(hypot(touch[i].nx, touch[i].ny), 1, 1e-12, 0);
+    }
+    trundle_world_free(world), trundle_scene_free(scene);
+}
+
+/* Gears of radii 1 and 3: rims of the same speed; and a rigid rotation, which is neither. */
+static void definitions(void **state) {
+    (void)state;
+    const trundle_body one = {.spin = 3}, gear = {.x = 4, .spin = -1}, rigid = {.x = 4, .vy = 12, .spin = 3};
+    assert_true(trundle_definition_count(TRUNDLE_ROLLING) >= 7 && trundle_definition_count(TRUNDLE_SLIDING) >= 4);
+    assert_string_equal(trundle_definition_name(TRUNDLE_ROLLING, 0), "wang");
+    assert_null(trundle_definition_name(TRUNDLE_ROLLING, trundle_definition_count(TRUNDLE_ROLLING)));
+    for (int i = 0; i < trundle_definition_count(TRUNDLE_ROLLING); i++) {
+        const char *name = trundle_definition_name(TRUNDLE_ROLLING, i);
+        double v = trundle_definition_value(TRUNDLE_ROLLING, i, 1, 3, &one, &gear);
+        assert_close(fabs(v), strcmp(name, "tordesillas") ? 3 : 4, 1e-12, 0); /* the rim's speed; an angle: w1 - w2 */
+        assert_close(trundle_definition_value(TRUNDLE_ROLLING, i, 1, 3, &one, &rigid), 0, 0, 1e-12);
+    }
+    for (int i = 0; i < trundle_definition_count(TRUNDLE_SLIDING); i++)
+        assert_close(trundle_definition_value(TRUNDLE_SLIDING, i, 1, 3, &one, &gear), 0, 0, 1e-12);
+    assert_true(isnan(trundle_definition_value(TRUNDLE_ROLLING, 99, 1, 3, &one, &gear)));
+    assert_true(isnan(trundle_definition_value(TRUNDLE_ROLLING, 0, 1, 3, &one, &one)));
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(spring_by_hand), cmocka_unit_test(plane_turned),
+                                       cmocka_unit_test(as_in_a_world),  cmocka_unit_test(what_is_refused),
+                                       cmocka_unit_test(a_biaxial_test), cmocka_unit_test(definitions)};
+    return cmocka_run_group_tests_name("api", tests, NULL, NULL);
+}
