@@ -124,6 +124,6 @@ const tr_verification tr_verify_exact[] = {
     {"exact", "rolling-share", "measures of two pairs: share of rolling, coordination", "rigid motion",
      "measures.c: sliding left out", tr_exact_rolling_share},
     {"exact", "turning-gravity", "a disk that falls while gravity turns", "integral of gravity",
-     "bodies.c: turned the other way", tr_exact_turning_gravity},
+     "bodies_state.c: turned the other way", tr_exact_turning_gravity},
 };
 const int tr_n_verify_exact = sizeof tr_verify_exact / sizeof *tr_verify_exact;
