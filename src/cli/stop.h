@@ -5,8 +5,8 @@
 
 #include <signal.h>
 
-/* Ctrl-C, SIGTERM, SIGHUP (the terminal was closed): from here on the first one asks to stop by setting the flag. A second
- * one kills. */
+/* Ctrl-C, SIGTERM, SIGHUP (the terminal was closed): from here on the first one asks to stop by setting the flag. A
+ * second one kills. */
 const volatile sig_atomic_t *tr_cli_stop(void);
 
 #endif

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The state of a scene: disks, walls, contacts, and the pipeline of passes. pipeline.c chooses the passes; step.c has the step.
+/* The state of a scene: disks, walls, contacts, and the pipeline of passes. pipeline.c chooses the passes, step.c walks
+ * through them.
  *
  * DATA PICTURE. A disk is four doubles in each of four arrays, so that one disk is one 32-byte load and the integrator
  * is one loop over 4n numbers:
@@ -185,9 +186,9 @@ typedef struct tr_world {
 } tr_world;
 
 /* A world of n disks or spheres (numbers 0..n-1), all at rest at 0 with radius and mass 0: the caller sets disks, then
- * walls, then laws (pipeline.h). A world must not be copied or moved once its laws are set: passes point into it. Radii,
- * masses, what is held and the number of walls must not change before the laws are set anew: lists and the bound of the
- * step keep what follows from these. */
+ * walls, then laws (pipeline.h). A world must not be copied or moved once its laws are set: passes point into it.
+ * Radii, masses, what is held and the number of walls must not change before the laws are set anew: lists and the
+ * bound of the step keep what follows from these. */
 bool tr_world_init(tr_world *world, int n, tr_shape shape, tr_status *st);
 void tr_world_free(tr_world *world);
 
