@@ -19,7 +19,7 @@ DESTDIR ?=
 PKGS  := yaml-0.1 muparser jansson box2d cairo freetype2 libpng libisal
 FLAGS := -Isrc -Itests -Wall -Wextra -Wpedantic -ffp-contract=off -pthread -fPIC -fvisibility=hidden -MMD -MP $(shell pkg-config --cflags $(PKGS) 2>/dev/null)
 # -fno-math-errno -fno-trapping-math let square roots and comparisons become vector code; they change no value.
-C_FLAGS   := -std=c17 -D_GNU_SOURCE -fno-math-errno -fno-trapping-math $(FLAGS) $(CFLAGS)
+C_FLAGS   := -std=c17 -D_GNU_SOURCE -Werror=implicit-function-declaration -fno-math-errno -fno-trapping-math $(FLAGS) $(CFLAGS)
 CXX_FLAGS := -std=c++17 $(FLAGS) $(CFLAGS)
 # libcsv has no pkg-config file.
 LIBS  := $(shell pkg-config --libs $(PKGS) 2>/dev/null) -lcsv -lm -pthread

@@ -5,6 +5,7 @@
 #include "laws/law.h"
 #include "scene/keys.h"
 #include "scene/scene.h"
+#include "scene/write.h"
 #include <glob.h>
 #include <stdio.h>
 #include <stdlib.h>
