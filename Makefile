@@ -92,7 +92,7 @@ bands: packages-build ## 10,000 disks without and with rolling resistance: shear
 	@$(MAKE) --no-print-directory build-all
 	@$(MAKE) --no-print-directory out/figures/shear-bands.png
 
-# Some 20 minutes of a processor. The table of src/study/spread.c anew, and whether its intervals are right. Goes on with what is there.
+# Some 25 minutes of a processor. The table of src/study/spread.c anew, and whether its intervals are right. Goes on with what is there.
 spread: packages-build ## how strength scatters between seeds: the table behind a run's +- (20 min)
 	@$(MAKE) --no-print-directory build-all
 	figures/spread/spread.sh ./trundle out/spread
