@@ -4,7 +4,7 @@
 set -u
 # shellcheck source=tests/system/tap.sh
 . "$(dirname "$0")/tap.sh"
-unset MAKEFLAGS MAKELEVEL BUILD GIT_DIR GIT_WORK_TREE
+unset MAKEFLAGS MAKELEVEL BUILD CC CXX CFLAGS GIT_DIR GIT_WORK_TREE
 
 # ---- the program ----
 write_bodies_case "$work/fall.yaml"
