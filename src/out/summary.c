@@ -204,15 +204,16 @@ static void add_lane(json_t *o, const tr_scene *scene, const tr_bodies *b) {
 
 static json_t *check_of(const tr_check_result *r) {
     json_t *o = json_object();
-    tr_scene_quantity q = tr_scene_what(r->check->what, r->shape);
+    const tr_what_row *row = &tr_whats[r->check->what];
+    char part[TR_BY_SHAPE];
     if (*r->lane) json_object_set_new(o, "lane", json_string(r->lane));
-    json_object_set_new(o, "what", json_string(q.name));
+    json_object_set_new(o, "what", json_string(row->name));
     json_object_set_new(o, "of", json_string(r->of));
     add(o, "measured", r->measured); /* null: it did not happen */
     add(o, "exact", r->check->exact);
     add(o, "error", r->measured - r->check->exact);
     add(o, "tolerance", r->check->tolerance);
-    json_object_set_new(o, "unit", json_string(q.unit));
+    json_object_set_new(o, "unit", json_string(tr_param_by_shape(row->unit, r->shape, part)));
     json_object_set_new(o, "ok", json_boolean(r->ok));
     return o;
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/check.h"
 #include "scene/tables.h"
+#include "scene/what.h"
 
 #include <float.h>
 #include <math.h>
@@ -215,7 +216,7 @@ static bool check_check(const checker *c, const tr_scope *s) {
     if (check->contact.n && check->contact.item[0].a == check->contact.item[0].b)
         return tr_text_fail(c->r->st, mark_in(s, "contact"),
                             "a check is of one contact, named as 0-1 (two disks) or wall0-1 (wall 0, disk 1)");
-    bool threshold = check->what == TR_ROLLS_FROM || check->what == TR_SLIPS_FROM;
+    bool threshold = tr_whats[check->what].when == TR_SLOPE;
     const char *lacks = scene->n_walls == 0                              ? "a wall"
                         : scene->gravity.x == 0 && scene->gravity.y == 0 ? "gravity"
                         : scene->disks[check->disk].motion != TR_FREE    ? "a free disk"

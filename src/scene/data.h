@@ -153,35 +153,9 @@ typedef struct tr_scene_lesson {
     char title[64], equation[96], sentence[320], question[320], answer[640];
 } tr_scene_lesson;
 
-/* What a check measures, in the order of the choices of `what:`. Of a contact: up to TR_SLIP_STARTS; of a disk: the others. */
-typedef enum tr_what {
-    TR_SLIDING_VELOCITY, /* V_s [m/s] */
-    TR_ROLLING_VELOCITY, /* V_r by the scene's definition [m/s] */
-    TR_CREEPAGE,         /* |V_s|/|(s1+s2)/2| [1] */
-    TR_POWER_LOST,       /* what the contact takes from the two bodies by friction and rolling [N m/s per m] */
-    TR_SLIP_ENDS,        /* when V_s first vanishes [s] */
-    TR_SLIP_STARTS,      /* when friction first is mu f_n [s] */
-    TR_SPEED,            /* of the centre [m/s] */
-    TR_ACCELERATION,     /* of the centre along its way [m/s^2] */
-    TR_STOP_TIME,        /* when the centre first stands still [s] */
-    TR_STOP_DISTANCE,    /* and how far from where it started [m] */
-    TR_SPIN,             /* [rad/s] */
-    TR_TORQUE,           /* of the contacts on it, counter-clockwise [N] */
-    TR_POWER,            /* of the contacts on it [N m/s per m] */
-    TR_ENERGY_LOST,      /* share of its kinetic energy at the start [1] */
-    TR_ROLLS_FROM,       /* least slope on which it does not rest [rad] */
-    TR_SLIPS_FROM,       /* least slope on which it slips [rad] */
-    TR_N_WHATS
-} tr_what;
-
-/* Name of a choice of `what:` and the SI unit of its value. */
-typedef struct tr_scene_quantity {
-    char unit[16], name[32];
-} tr_scene_quantity;
-
 /* A number that the run measures and compares with a closed form. */
 typedef struct tr_scene_check {
-    int what;               /* tr_what */
+    int what;               /* tr_what of what.h */
     int disk;               /* of a disk */
     tr_scene_picks contact; /* one, of a contact */
     double at, over;        /* mean over the time `over` that ends `at` [s]; over 0: the instant. Not of events */

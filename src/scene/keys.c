@@ -163,11 +163,11 @@ static void print_row(printer *p, const tr_param *row, bool derived, bool of_law
 }
 
 /* " (for `what: speed, spin`)": rows that only some choices of a list's first key have. */
-static void note_choices(const printer *p, const tr_section *first, const tr_section *t, char note[CELL]) {
+static void note_choices(const printer *p, const tr_section *first, unsigned chosen, char note[CELL]) {
     tr_shown name;
     int n = 0;
-    for (int i = 0; t->chosen && tr_tables_choice(p->catalog, first->params, i, &name); i++) {
-        if (!(t->chosen >> i & 1)) continue;
+    for (int i = 0; chosen && tr_tables_choice(p->catalog, first->params, i, &name); i++) {
+        if (!(chosen >> i & 1)) continue;
         add(note, n++ ? ", " : " (for `");
         if (n == 1) {
             add(note, first->params->key);
@@ -178,20 +178,31 @@ static void note_choices(const printer *p, const tr_section *first, const tr_sec
     if (n) add(note, "`)");
 }
 
-static void walk_section(printer *p, const tr_section *first) {
-    for (const tr_section *t = first; t; t = tr_tables_next(t, p->kinds)) {
-        char note[CELL] = "";
-        note_choices(p, first, t, note);
-        for (int i = 0; i < t->n; i++) print_row(p, &t->params[i], t->derived, false, note);
-    }
-}
-
 static bool same_row(const tr_param *a, const tr_param *b) {
     const char *x[] = {a->key, a->unit, a->fallback, a->choices, a->doc},
                *y[] = {b->key, b->unit, b->fallback, b->choices, b->doc};
     for (int i = 0; i < 5; i++)
         if (!x[i] != !y[i] || (x[i] && strcmp(x[i], y[i]))) return false;
     return a->type == b->type && a->min == b->min && a->max == b->max;
+}
+
+static bool same_rows(const tr_section *a, const tr_section *b) {
+    bool same = a->n == b->n;
+    for (int i = 0; i < a->n && same; i++) same = same_row(&a->params[i], &b->params[i]);
+    return same;
+}
+
+/* Rows that several choices have alike stand once, where the first of them is. */
+static void walk_section(printer *p, const tr_section *first) {
+    for (const tr_section *t = first; t; t = tr_tables_next(t, p->kinds)) {
+        char note[CELL] = "";
+        unsigned chosen = 0;
+        bool before = false;
+        for (const tr_section *u = first; u; u = tr_tables_next(u, p->kinds))
+            if (same_rows(t, u)) chosen |= u->chosen, before |= u < t;
+        note_choices(p, first, chosen, note);
+        for (int i = 0; i < t->n && !before; i++) print_row(p, &t->params[i], t->derived, false, note);
+    }
 }
 
 static bool law_has(const tr_param_table *law, const tr_param *row) {

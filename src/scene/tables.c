@@ -228,12 +228,9 @@ static const tr_param wall[] = {
 #undef STRUCT
 
 #define STRUCT tr_scene_check
+#define NEXT_CHOICE(choice, name, ...) "|" name
 static const tr_param check[] = {
-    {"what", TR_CHOICE, TR_DIM_NUMBER, "", NULL, 0, 0,
-     "sliding-velocity|rolling-velocity|creepage|power-lost|slip-ends|slip-starts|speed|acceleration|stop-time|stop-"
-     "distance|spin|"
-     "torque|power|energy-lost|rolls-from|slips-from",
-     AT(what), "what is measured"},
+    {"what", TR_CHOICE, TR_DIM_NUMBER, "", NULL, 0, 0, &TR_WHATS(NEXT_CHOICE)[1], AT(what), "what is measured"},
 };
 static const tr_param check_contact[] = {
     {"contact", TR_PICKS, TR_DIM_NUMBER, "", NULL, 0, 1, NULL, AT(contact),
@@ -246,27 +243,16 @@ static const tr_param check_time[] = {
     {"at", TR_REAL, TR_DIM_TIME, "s", "time_end", 0, 1e6, NULL, AT(at), "when"},
     {"over", TR_REAL, TR_DIM_TIME, "s", "0", 0, 1e6, NULL, AT(over), "mean over this time before; 0: the instant"},
 };
-#define CLOSED_FORM(rows, dim, unit)                                                                                   \
-    static const tr_param rows[] = {                                                                                   \
-        {"exact", TR_REAL, dim, unit, NULL, -1e30, 1e30, NULL, AT(exact), "the closed form"},                          \
-        {"tolerance", TR_REAL, dim, unit, NULL, 1e-30, 1e30, NULL, AT(tolerance), "largest |measured - exact|"},       \
-    }
-CLOSED_FORM(exact_speed, TR_DIM_SPEED, "m/s");
-CLOSED_FORM(exact_number, TR_DIM_NUMBER, "1");
-CLOSED_FORM(exact_time, TR_DIM_TIME, "s");
-CLOSED_FORM(exact_acceleration, TR_DIM_ACCELERATION, "m/s^2");
-CLOSED_FORM(exact_length, TR_DIM_LENGTH, "m");
-CLOSED_FORM(exact_spin, TR_DIM_SPIN, "rad/s");
-CLOSED_FORM(exact_moment, TR_DIM_MOMENT, "N|N*m");
-CLOSED_FORM(exact_power, TR_DIM_POWER, "N/s|J/s");
-CLOSED_FORM(exact_angle, TR_DIM_NUMBER, "rad");
-enum {
-    OF_CONTACT = (1 << (TR_SLIP_STARTS + 1)) - 1,
-    OF_DISK = ((1 << TR_N_WHATS) - 1) & ~OF_CONTACT,
-    EVENTS = 1 << TR_SLIP_ENDS | 1 << TR_SLIP_STARTS | 1 << TR_STOP_TIME | 1 << TR_STOP_DISTANCE | 1 << TR_ROLLS_FROM |
-             1 << TR_SLIPS_FROM,
-    AT_TIME = (OF_CONTACT | OF_DISK) & ~EVENTS
-};
+#define CLOSED_FORM(choice, name, dim, unit, ...)                                                                      \
+    static const tr_param exact_##choice[] = {                                                                         \
+        {"exact", TR_REAL, TR_DIM_##dim, unit, NULL, -1e30, 1e30, NULL, AT(exact), "the closed form"},                 \
+        {"tolerance", TR_REAL, TR_DIM_##dim, unit, NULL, 1e-30, 1e30, NULL, AT(tolerance),                             \
+         "largest |measured - exact|"},                                                                                \
+    };
+TR_WHATS(CLOSED_FORM)
+#define BIT_OF_CONTACT(choice, name, dim, unit, whose, ...) | (whose == TR_OF_CONTACT) << choice
+#define BIT_OF_DISK(choice, name, dim, unit, whose, ...) | (whose != TR_OF_CONTACT) << choice
+#define BIT_AT_TIME(choice, name, dim, unit, whose, when, ...) | (when == TR_AT_TIME || when == TR_SINCE) << choice
 #undef STRUCT
 
 #define STRUCT tr_scene_pair
@@ -327,6 +313,7 @@ static const tr_param path_start[] = {
     .max_items = most
 #define CHECKS(rows, chosen_)                                                                                          \
     SECTION("checks", "against closed forms", TR_FOR_BODIES, rows, LIST(checks, n_checks, 0, 32), .chosen = chosen_)
+#define AND_EXACT(choice, ...) , CHECKS(exact_##choice, 1u << choice)
 const tr_section tr_sections[] = {
     SECTION("", "", TR_FOR_ALL, root, .offset = 0),
     SECTION("", "", TR_FOR_WORLDS, root_worlds, .offset = 0),
@@ -355,18 +342,9 @@ const tr_section tr_sections[] = {
     SECTION("disks", "", TR_FOR_BODIES, disk, LIST(disks, n_disks, 1, 1000)),
     SECTION("walls", "rigid planes", TR_FOR_BODIES, wall, LIST(walls, n_walls, 0, 100)),
     CHECKS(check, 0),
-    CHECKS(check_contact, OF_CONTACT),
-    CHECKS(check_disk, OF_DISK),
-    CHECKS(check_time, AT_TIME),
-    CHECKS(exact_speed, 1 << TR_SLIDING_VELOCITY | 1 << TR_ROLLING_VELOCITY | 1 << TR_SPEED),
-    CHECKS(exact_number, 1 << TR_CREEPAGE | 1 << TR_ENERGY_LOST),
-    CHECKS(exact_time, 1 << TR_SLIP_ENDS | 1 << TR_SLIP_STARTS | 1 << TR_STOP_TIME),
-    CHECKS(exact_acceleration, 1 << TR_ACCELERATION),
-    CHECKS(exact_length, 1 << TR_STOP_DISTANCE),
-    CHECKS(exact_spin, 1 << TR_SPIN),
-    CHECKS(exact_moment, 1 << TR_TORQUE),
-    CHECKS(exact_power, 1 << TR_POWER | 1 << TR_POWER_LOST),
-    CHECKS(exact_angle, 1 << TR_ROLLS_FROM | 1 << TR_SLIPS_FROM),
+    CHECKS(check_contact, 0 TR_WHATS(BIT_OF_CONTACT)),
+    CHECKS(check_disk, 0 TR_WHATS(BIT_OF_DISK)),
+    CHECKS(check_time, 0 TR_WHATS(BIT_AT_TIME)) TR_WHATS(AND_EXACT),
     SECTION("bodies", "the two in contact, of one material", TR_FOR_CONTACT, bodies_shape, .offset = 0),
     SECTION("bodies", "the two in contact, of one material", TR_FOR_PAIR, pair, .offset = AT(pair)),
     SECTION("bodies", "", TR_FOR_CONTACT, pair_density, .offset = AT(pair)),
@@ -434,17 +412,4 @@ bool tr_tables_choice(const tr_param_catalog *catalog, const tr_param *param, in
         return i < slot.n;
     }
     return choice_of(catalog->rolling_velocities, i, name);
-}
-
-tr_scene_quantity tr_scene_what(int what, tr_shape shape) {
-    tr_scene_quantity q = {0};
-    tr_shown name;
-    char part[TR_BY_SHAPE];
-    if (choice_of(check->choices, what, &name)) snprintf(q.name, sizeof q.name, "%.31s", name.text);
-    for (int i = 0; i < tr_n_sections; i++) {
-        const tr_section *t = &tr_sections[i];
-        if (strcmp(t->key, "checks") == 0 && t->chosen & 1u << what && strcmp(t->params->key, "exact") == 0)
-            snprintf(q.unit, sizeof q.unit, "%.15s", tr_param_by_shape(t->params->unit, shape, part));
-    }
-    return q;
 }

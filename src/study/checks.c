@@ -4,12 +4,28 @@
 #include "base/alloc.h"
 #include "core/step.h"
 #include "scene/pick.h"
+#include "scene/what.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct tr_checking item;
+/* A disk and a contact, as they are now. */
+typedef struct sight {
+    const tr_bodies *b;
+    const tr_record *contact; /* NULL: none */
+    double time;
+    double x, y, v[3], force[3]; /* force: of its contacts; the third of each is of the rotation */
+    double speed, energy;
+} sight;
+
+typedef struct tr_checking {
+    bool done;          /* value is final */
+    double value;       /* NaN: has not happened yet */
+    double sum, weight; /* of the mean; of a creepage, its two velocities */
+    double before[2];   /* time, and value of the step before: of what an event watches; speed at the start */
+    sight start;
+} item;
 
 bool tr_checks_open(tr_checks *c, const tr_scene *scene, tr_status *st) {
     *c = (tr_checks){.scene = scene};
@@ -23,119 +39,114 @@ void tr_checks_free(tr_checks *c) {
     *c = (tr_checks){0};
 }
 
-static bool is_threshold(const tr_scene_check *check) {
-    return check->what == TR_ROLLS_FROM || check->what == TR_SLIPS_FROM;
-}
-
-static bool is_event(const tr_scene_check *check) {
-    return check->what == TR_SLIP_ENDS || check->what == TR_SLIP_STARTS || check->what == TR_STOP_TIME ||
-           check->what == TR_STOP_DISTANCE;
-}
-
-static bool of_contact(const tr_scene_check *check) {
-    return check->what <= TR_SLIP_STARTS;
-}
-
-/* Steps within half a step of the window, so that an instant has one. An acceleration without one spans the run. */
-static bool in_window(const tr_scene_check *check, double time, double dt) {
-    double over = check->what == TR_ACCELERATION && check->over == 0 ? check->at : check->over;
-    return time > check->at - over - 0.5 * dt && time <= check->at + 0.5 * dt;
+/* An event is always due. A window takes the steps within half a step of it, so that an instant has one. */
+static bool is_due(const tr_scene_check *check, double time, double dt) {
+    tr_when when = tr_whats[check->what].when;
+    double over = when == TR_SINCE && check->over == 0 ? check->at : check->over;
+    bool in_window = time > check->at - over - 0.5 * dt && time <= check->at + 0.5 * dt;
+    return when == TR_EVENT || (when != TR_SLOPE && in_window);
 }
 
 bool tr_checks_need_contacts(const tr_checks *c, double time, double dt) {
     for (int k = 0; k < c->scene->n_checks; k++) {
         const tr_scene_check *check = &c->scene->checks[k];
-        if (of_contact(check) && !c->item[k].done && (is_event(check) || in_window(check, time, dt))) return true;
+        if (tr_whats[check->what].whose == TR_OF_CONTACT && !c->item[k].done && is_due(check, time, dt)) return true;
     }
     return false;
 }
 
-/* A disk, as it is now. */
-typedef struct body {
-    double x, y, v[3], force[3]; /* force: of its contacts; the third of each is of the rotation */
-    double energy;
-} body;
-
-static body body_now(const tr_bodies *b, int disk) {
+static sight look(const tr_bodies *b, int disk, const tr_record *contact) {
     const tr_disks *d = &b->world.disks;
-    body now = {.x = d->pos[4 * disk], .y = d->pos[4 * disk + 1]};
+    sight now = {.b = b, .contact = contact, .time = (double)b->world.steps * b->world.dt};
+    now.x = d->pos[4 * disk], now.y = d->pos[4 * disk + 1];
     tr_bodies_velocity(&b->world, disk, now.v);
     for (int k = 0; k < 3; k++) now.force[k] = d->force[4 * disk + k] - (d->load ? d->load[4 * disk + k] : 0);
     double R = d->pos[4 * disk + 3], I = (b->world.shape == TR_SHAPE_SPHERE ? 0.4 : 0.5) * d->mass[disk] * R * R;
     now.energy = 0.5 * d->mass[disk] * (now.v[0] * now.v[0] + now.v[1] * now.v[1]) + 0.5 * I * now.v[2] * now.v[2];
+    now.speed = hypot(now.v[0], now.v[1]);
     return now;
 }
 
+/* ---- the functions of TR_WHATS: each sets the value, and of an event `done` */
+
+static void mean(item *it, double value, double weight) {
+    it->sum += value, it->weight += weight;
+    it->value = it->sum / it->weight;
+}
+
 /* An event: when `watched` gets to 0 or changes its sign. */
-static bool crosses(item *it, double time, double watched, double *when) {
+static void crosses(item *it, double time, double watched) {
     double t0 = it->before[0], w0 = it->before[1];
-    bool crossed = t0 == t0 && w0 != 0 && w0 * watched <= 0;
-    if (crossed) *when = t0 + (time - t0) * w0 / (w0 - watched);
+    it->done = t0 == t0 && w0 != 0 && w0 * watched <= 0;
+    if (it->done) it->value = t0 + (time - t0) * w0 / (w0 - watched);
     it->before[0] = time, it->before[1] = watched;
-    return crossed;
 }
 
-/* What goes into a contact but for its normal force: -(forces and moments on the bodies times their velocities). */
-static double power_lost(const tr_bodies *b, const tr_record *r) {
-    const double *vel = b->world.disks.vel;
+#define MEAN(function, value)                                                                                          \
+    static void function(item *it, const sight *now) {                                                                 \
+        mean(it, value, 1);                                                                                            \
+    }
+MEAN(sliding_velocity, now->contact->v_s)
+MEAN(rolling_velocity, now->contact->v_r) /* by the definition of the scene */
+MEAN(speed, now->speed)
+MEAN(spin, now->v[2])
+MEAN(torque, now->force[2]) /* of its contacts, as the power */
+MEAN(power, now->force[0] * now->v[0] + now->force[1] * now->v[1] + now->force[2] * now->v[2])
+MEAN(energy_lost, 1 - now->energy / it->start.energy) /* kinetic */
+
+/* |V_s| over |(s1 + s2)/2|, each a mean. */
+static void creepage(item *it, const sight *now) {
+    mean(it, now->contact->v_s, 0.5 * (now->contact->s1 + now->contact->s2));
+    it->value = fabs(it->value);
+}
+
+/* What the contact takes by friction and rolling: -(forces and moments on the bodies times their velocities). */
+static void power_lost(item *it, const sight *now) {
+    const tr_record *r = now->contact;
+    const double *vel = now->b->world.disks.vel;
     double w1 = r->a < 0 ? 0 : vel[4 * r->a + 2], w2 = vel[4 * r->b + 2];
-    return (r->f_t + r->f_r) * r->v_s - r->m1 * w1 - r->m2 * w2;
+    mean(it, (r->f_t + r->f_r) * r->v_s - r->m1 * w1 - r->m2 * w2, 1);
 }
 
-static void look_at_contact(item *it, const tr_scene_check *check, double time, const tr_bodies *b,
-                            const tr_record *r) {
-    switch (check->what) {
-    case TR_SLIDING_VELOCITY:
-        it->sum += r->v_s, it->weight += 1;
-        break;
-    case TR_ROLLING_VELOCITY:
-        it->sum += r->v_r, it->weight += 1;
-        break;
-    case TR_CREEPAGE:
-        it->sum += r->v_s, it->weight += 0.5 * (r->s1 + r->s2);
-        break;
-    case TR_POWER_LOST:
-        it->sum += power_lost(b, r), it->weight += 1;
-        break;
-    case TR_SLIP_ENDS:
-        it->done = crosses(it, time, r->v_s, &it->value);
-        break;
-    case TR_SLIP_STARTS: /* at the bound of the law to rounding */
-        it->done = r->mobilisation > 1 - 1e-9;
-        if (it->done) it->value = time;
-        break;
-    }
+static void slip_ends(item *it, const sight *now) {
+    crosses(it, now->time, now->contact->v_s);
 }
 
-static void look_at_disk(item *it, const tr_scene_check *check, double time, const body *now) {
-    double speed = hypot(now->v[0], now->v[1]), when;
-    switch (check->what) {
-    case TR_SPEED:
-        it->sum += speed, it->weight += 1;
-        break;
-    case TR_ACCELERATION: /* from the first to the last of the window */
-        if (it->n == 0) it->before[1] = time, it->before[2] = speed;
-        it->sum = speed - it->before[2], it->weight = time - it->before[1];
-        break;
-    case TR_SPIN:
-        it->sum += now->v[2], it->weight += 1;
-        break;
-    case TR_TORQUE:
-        it->sum += now->force[2], it->weight += 1;
-        break;
-    case TR_POWER:
-        it->sum += now->force[0] * now->v[0] + now->force[1] * now->v[1] + now->force[2] * now->v[2], it->weight += 1;
-        break;
-    case TR_ENERGY_LOST:
-        it->sum += 1 - now->energy / it->energy, it->weight += 1;
-        break;
-    case TR_STOP_TIME:
-    case TR_STOP_DISTANCE:
-        it->done = crosses(it, time, now->v[0] * it->way[0] + now->v[1] * it->way[1], &when);
-        if (it->done) it->value = check->what == TR_STOP_TIME ? when : hypot(now->x - it->x, now->y - it->y);
-        break;
-    }
+/* At the bound of the law, to rounding. */
+static void slip_starts(item *it, const sight *now) {
+    it->done = now->contact->mobilisation > 1 - 1e-9;
+    if (it->done) it->value = now->time;
 }
+
+/* From the first to the last instant of the window. */
+static void acceleration(item *it, const sight *now) {
+    if (isnan(it->before[0])) it->before[0] = now->time, it->before[1] = now->speed;
+    it->value = (now->speed - it->before[1]) / (now->time - it->before[0]);
+}
+
+/* When the velocity along the way at the start first is 0. */
+static void stop_time(item *it, const sight *now) {
+    crosses(it, now->time, now->v[0] * it->start.v[0] + now->v[1] * it->start.v[1]);
+}
+
+static void stop_distance(item *it, const sight *now) {
+    stop_time(it, now);
+    if (it->done) it->value = hypot(now->x - it->start.x, now->y - it->start.y);
+}
+
+/* How far the centre went. */
+static void rolls_from(item *it, const sight *now) {
+    it->value = hypot(now->x - it->start.x, now->y - it->start.y);
+}
+
+/* How far the contact slid. */
+static void slips_from(item *it, const sight *now) {
+    if (now->contact) it->sum += now->contact->v_s * now->b->world.dt;
+    it->value = fabs(it->sum);
+}
+
+#define FUNCTION(choice, name, dim, unit, whose, when, function) [choice] = function,
+static void (*const measure[TR_N_WHATS])(item *, const sight *) = {TR_WHATS(FUNCTION)};
 
 static const tr_record *find(const tr_record *records, int n, tr_scene_pick pick) {
     for (int i = 0; i < n; i++)
@@ -144,26 +155,16 @@ static const tr_record *find(const tr_record *records, int n, tr_scene_pick pick
 }
 
 void tr_checks_step(tr_checks *c, const tr_bodies *b, const tr_record *records, int n) {
-    double time = (double)b->world.steps * b->world.dt;
     for (int k = 0; k < c->scene->n_checks; k++) {
         const tr_scene_check *check = &c->scene->checks[k];
         item *it = &c->item[k];
-        if (it->done || is_threshold(check)) continue;
-        body now = body_now(b, check->disk);
-        if (b->world.steps == 0) {
-            it->x = now.x, it->y = now.y, it->way[0] = now.v[0], it->way[1] = now.v[1], it->energy = now.energy;
-        }
-        if (!is_event(check) && !in_window(check, time, b->world.dt)) continue;
-        const tr_record *r = of_contact(check) ? find(records, n, check->contact.item[0]) : NULL;
-        if (of_contact(check) && !r) continue;
-        if (r)
-            look_at_contact(it, check, time, b, r);
-        else
-            look_at_disk(it, check, time, &now);
-        it->n++;
-        if (is_event(check)) continue;
-        it->value = it->sum / it->weight;
-        if (check->what == TR_CREEPAGE) it->value = fabs(it->value);
+        bool of_contact = tr_whats[check->what].whose == TR_OF_CONTACT, first = b->world.steps == 0;
+        bool due = is_due(check, (double)b->world.steps * b->world.dt, b->world.dt);
+        if (it->done || !(first || due)) continue;
+        sight now = look(b, check->disk, of_contact ? find(records, n, check->contact.item[0]) : NULL);
+        if (first) it->start = now;
+        if (!due || (of_contact && !now.contact)) continue;
+        measure[check->what](it, &now);
         if (!isfinite(it->value)) it->value = NAN; /* over a rolling, an energy, a time of 0 */
     }
 }
@@ -175,7 +176,7 @@ void tr_checks_results(const tr_checks *c, tr_check_result *result) {
         result[k] = (tr_check_result){.lane = c->scene->label, .shape = c->scene->shape, .check = check};
         result[k].measured = measured;
         result[k].ok = fabs(measured - check->exact) <= check->tolerance; /* false for NaN */
-        if (of_contact(check))
+        if (tr_whats[check->what].whose == TR_OF_CONTACT)
             tr_scene_pick_name(check->contact.item[0], result[k].of);
         else
             snprintf(result[k].of, sizeof result[k].of, "disk %d", check->disk);
@@ -194,13 +195,14 @@ static void lean(tr_scene *scene, double slope) {
     scene->gravity.turn = 0;
 }
 
-/* How far the centre (rolls-from), or the contact in sliding (slips-from), goes in the second half of a run from rest. In
- * the first half the springs take up the load. */
+/* What the function of the check gives in the second half of a run from rest. In the first half the springs take up the
+ * load. */
 static bool creeps(tr_bodies *b, const tr_scene_check *check, double *distance, const tr_run_options *options,
                    tr_status *st) {
+    item it = {0};
     tr_record *records = NULL;
     int capacity = 0;
-    double x = 0, y = 0, slid = 0;
+    bool of_floor = tr_whats[check->what].whose == TR_OF_FLOOR;
     for (int64_t k = 0; k <= b->steps; k++) {
         if (k % 256 == 0 && tr_run_stopped(options)) {
             tr_status_fail(st, TR_INTERRUPTED, "stopped in the search of a threshold");
@@ -208,18 +210,14 @@ static bool creeps(tr_bodies *b, const tr_scene_check *check, double *distance, 
         }
         if (k) tr_bodies_advance(b);
         if (!tr_step_forces(&b->world, st)) break;
-        const double *p = b->world.disks.pos + 4 * check->disk;
-        if (k == b->steps / 2) x = p[0], y = p[1], slid = 0;
-        if (check->what == TR_ROLLS_FROM) {
-            *distance = hypot(p[0] - x, p[1] - y);
-            continue;
-        }
-        int n = tr_record_all(&b->world, &records, &capacity, st);
-        const tr_record *r = find(records, n, (tr_scene_pick){-1, check->disk});
-        if (r) slid += r->v_s * b->world.dt;
-        *distance = fabs(slid);
+        if (k < b->steps / 2) continue;
+        int n = of_floor ? tr_record_all(&b->world, &records, &capacity, st) : 0;
+        sight now = look(b, check->disk, find(records, n, (tr_scene_pick){-1, check->disk}));
+        if (k == b->steps / 2) it.start = now;
+        measure[check->what](&it, &now);
     }
     free(records);
+    *distance = it.value;
     return !st->code;
 }
 
@@ -270,7 +268,7 @@ static bool bisect(const tr_scene *scene, const tr_scene_check *check, double *t
 bool tr_checks_thresholds(tr_checks *c, const tr_run_options *options, tr_status *st) {
     for (int k = 0; k < c->scene->n_checks; k++) {
         const tr_scene_check *check = &c->scene->checks[k];
-        if (!is_threshold(check)) continue;
+        if (tr_whats[check->what].when != TR_SLOPE) continue;
         if (!bisect(c->scene, check, &c->item[k].value, options, st)) return false;
         c->item[k].done = true;
     }
@@ -279,5 +277,5 @@ bool tr_checks_thresholds(tr_checks *c, const tr_run_options *options, tr_status
 
 void tr_checks_adopt(tr_checks *c, const tr_checks *found) {
     for (int k = 0; k < c->scene->n_checks; k++)
-        if (is_threshold(&c->scene->checks[k])) c->item[k] = found->item[k];
+        if (tr_whats[c->scene->checks[k].what].when == TR_SLOPE) c->item[k] = found->item[k];
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The numbers that a scene of bodies measures and compares with closed forms: `checks:` of a case.
  *
- * tr_scene_check says what each is. A mean over a time is that of the steps in it; an event is found between two steps by a
+ * TR_WHATS of scene/what.h lists them. A mean over a time is that of the steps in it; an event is found between two steps by a
  * straight line. The two thresholds are found by bisection: the scene runs on slopes of its own, from rest, until a slope
  * that holds and one that does not are less than 0.05 degrees apart. A run on a slope takes four times as long as the scene:
  * the springs are loaded at once, and what they swing beyond their load must have come to rest. */
@@ -15,16 +15,7 @@
 
 typedef struct tr_checks {
     const tr_scene *scene;
-    struct tr_checking {
-        bool done;          /* value is final */
-        double value;       /* NaN: has not happened yet */
-        int n;              /* steps in the mean */
-        double sum, weight; /* of the mean; of a creepage, its two velocities */
-        double before[3];   /* time, and value of the step before: of what an event watches; speed at the start */
-        double x, y;        /* where the disk started */
-        double way[2];      /* and which way */
-        double energy;      /* that it had */
-    } * item;
+    struct tr_checking *item; /* of each */
 } tr_checks;
 
 bool tr_checks_open(tr_checks *c, const tr_scene *scene, tr_status *st);

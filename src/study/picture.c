@@ -3,10 +3,12 @@
 
 #include "draw/field.h"
 #include "draw/frame_show.h"
+#include "scene/what.h"
 #include "study/film.h"
 #include "study/shown_check.h"
 
 #include <math.h>
+#include <string.h>
 
 tr_view_box tr_picture_empty(void) {
     return (tr_view_box){.x0 = INFINITY, .y0 = INFINITY, .x1 = -INFINITY, .y1 = -INFINITY};
@@ -31,8 +33,8 @@ void tr_picture_widen(tr_view_box *v, const tr_play *p) {
 /* Where a closed form gives a time, the curves have a mark. */
 static double mark_of(const tr_scene *scene) {
     for (int k = 0; k < scene->n_checks; k++) {
-        const tr_scene_check *c = &scene->checks[k];
-        if (c->what == TR_SLIP_ENDS || c->what == TR_SLIP_STARTS || c->what == TR_STOP_TIME) return c->exact;
+        const tr_what_row *what = &tr_whats[scene->checks[k].what];
+        if (what->when == TR_EVENT && strcmp(what->unit, "s") == 0) return scene->checks[k].exact;
     }
     return NAN;
 }
@@ -92,7 +94,8 @@ void tr_picture_draw(tr_canvas *canvas, const tr_cast *s, const tr_view_box *vie
     tr_show_check check[TR_MAX_LANES * TR_MAX_CHECKS];
     int n_checks = 0;
     for (int i = 0; i < n_results; i++) {
-        bool in_bars = s->n == 1 && result[i].check->what <= TR_ROLLING_VELOCITY;
+        int what = result[i].check->what;
+        bool in_bars = s->n == 1 && (what == TR_SLIDING_VELOCITY || what == TR_ROLLING_VELOCITY);
         if (!in_bars) check[n_checks++] = tr_run_shown_check(&result[i], s->scene, s->n > 1);
     }
     const tr_show picture = {.title = *lesson->title ? lesson->title : s->title,

@@ -2,6 +2,7 @@
 #include "study/play.h"
 
 #include "core/step.h"
+#include "scene/what.h"
 #include "study/schedule.h"
 #include <math.h>
 #include <stdlib.h>

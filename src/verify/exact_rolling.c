@@ -20,8 +20,10 @@ static bool rows(tr_verify *v, const char *text, const char *const *quantity, do
     bool ok = tr_verify_play(v, &scene, 0, result, st) && tr_verify_go_on(v, st);
     for (int k = 0; ok && k < scene.n_checks && quantity[k]; k++) {
         const tr_scene_check *c = &scene.checks[k];
-        ok = tr_exact_row(v, quantity[k], tr_scene_what(c->what, scene.shape).unit, result[k].measured, c->exact,
-                          c->tolerance, k == 0 ? order : NAN, reason, st);
+        char part[TR_BY_SHAPE];
+        const char *unit = tr_param_by_shape(tr_whats[c->what].unit, scene.shape, part);
+        ok = tr_exact_row(v, quantity[k], unit, result[k].measured, c->exact, c->tolerance, k == 0 ? order : NAN,
+                          reason, st);
     }
     tr_scene_free(&scene);
     return ok;

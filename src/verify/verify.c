@@ -174,14 +174,14 @@ bool tr_verify_scene(tr_verify *v, const char *text, const char *const *sets, in
     }
     for (int k = 0; k < scene.n_checks && ok; k++) {
         const tr_scene_check *c = &scene.checks[k];
-        tr_scene_quantity q = tr_scene_what(c->what, scene.shape);
-        char quantity[80];
-        snprintf(quantity, sizeof quantity, "%s of %s", q.name, result[k].of);
+        const tr_what_row *row = &tr_whats[c->what];
+        char quantity[80], part[TR_BY_SHAPE];
+        snprintf(quantity, sizeof quantity, "%s of %s", row->name, result[k].of);
         double error = fabs(result[k].measured - c->exact), before = fabs(coarse[k].measured - c->exact);
         bool above = halvings > 0 && error > 1e-10 * fabs(c->exact) && error > 0;
         ok = tr_verify_add(v,
                            &(tr_verify_row){.quantity = quantity,
-                                            .unit = q.unit,
+                                            .unit = tr_param_by_shape(row->unit, scene.shape, part),
                                             .reference = c->exact,
                                             .computed = result[k].measured,
                                             .tolerance = c->tolerance,

@@ -4,6 +4,7 @@
 #include "base/random.h"
 #include "fake_catalog.h"
 #include "laws/law.h"
+#include "scene/what.h"
 #include "scene/write.h"
 #include <float.h>
 #include <glob.h>
@@ -440,7 +441,7 @@ static bool read_check(tr_scene *s, int shape, int what, const char *name, const
                        tr_status *st) {
     char text[200];
     snprintf(text, sizeof text, "checks: [{what: %s, %sexact: 1%s, tolerance: 1%s}]\n", name,
-             what <= TR_SLIP_STARTS ? "contact: 0-1, " : "", exact, tolerance);
+             tr_whats[what].whose == TR_OF_CONTACT ? "contact: 0-1, " : "", exact, tolerance);
     return read_checks(s, shape ? "sphere" : "disk", text, st);
 }
 
@@ -468,6 +469,8 @@ static void checks_have_dimensions(void **state) {
         [TR_SLIPS_FROM] = {"slips-from", {" rad", " rad"}},
     };
     static const char *const units[] = {" m/s", " rad", " s", " m/s^2", " m", " rad/s", " N", " N*m", " N/s", " N*m/s"};
+    for (int i = 0; i < TR_N_WHATS; i++)
+        if (!rows[i].what) fail_msg("%s has no row here", tr_whats[i].name);
     for (int shape = 0; shape < 2; shape++)
         for (int i = 0; i < TR_N_WHATS; i++)
             for (size_t u = 0; u < sizeof units / sizeof *units; u++) {

@@ -106,6 +106,12 @@ else
     skip 'LAMMPS does the same work' 'no lammps here'
 fi
 
+# cases/README.md lists what a check can measure of a contact and of a disk, as `run --keys` does.
+for of in contact disk; do
+    listed=$("$TRUNDLE" run --keys bodies | sed -n "s/^| \`$of\` .*(for \`what: \(.*\)\`).*/\1/p" | sed 's/, /`, `/g')
+    check "README lists what a check can measure of a $of" grep -qF "| \`$of\` | \`$listed\` |" "$root/cases/README.md"
+done
+
 # cases/README.md shows a mistake in cases/biaxial.yaml and what the tool says of it.
 mkdir "$work/cases"
 sed 's/^  mu_r:/  mu_R:/' "$root/cases/biaxial.yaml" >"$work/cases/biaxial.yaml"
