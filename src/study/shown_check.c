@@ -31,9 +31,10 @@ tr_show_check tr_run_shown_check(const tr_check_result *r, const tr_scene *scene
     const char *what = symbol[r->check->what], *unit = tr_param_by_shape(row->unit, r->shape, part);
     if (strcmp(unit, "rad") == 0) unit = "°", scale = 180 / M_PI;
     if (strcmp(unit, "1") == 0) unit = "";
+    if (strcmp(unit, "N/s") == 0) unit = "W/m";
+    if (strcmp(unit, "J/s") == 0) unit = "W";
     if (fabs(measured) < 0.01 * r->check->tolerance) measured = 0; /* rounding */
     snprintf(shown.group, sizeof shown.group, "%s", several ? r->lane : "");
-    if (r->check->what == TR_POWER) unit = r->shape == TR_SHAPE_SPHERE ? "W" : "W/m";
     int used = snprintf(shown.what, sizeof shown.what, "%.24s", what ? what : row->name);
     for (char *p = shown.what; *p; p++)
         if (*p == '-') *p = ' ';
