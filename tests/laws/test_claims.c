@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* What each law of the registry claims, shown to hold; what it does not claim, shown to fail in the same motion: any flag
- * turned over in the registry fails here; a choice that only kind: contact has is held to the same. Then what holds for
- * all laws: swapped bodies, bounds, forgetting, units, histories saved and restored. The law under test is alone with a
- * normal spring: pairs of 64 sizes and directions are driven along a path of changing overlap, sliding and spins. No spin
- * is so slow that a sign law would stop it within a step: that stop is the one thing in which these depend on the rate. */
+/* What each law of the registry claims, and law_template.c, shown to hold; what it does not claim, shown to fail in the
+ * same motion: any flag turned over in the registry fails here; a choice that only kind: contact has is held to the same.
+ * Then what holds for all laws: swapped bodies, bounds, forgetting, units, histories saved and restored. The law under test
+ * is alone with a normal spring: pairs of 64 sizes and directions are driven along a path of changing overlap, sliding and
+ * spins. No spin is so slow that a sign law would stop it within a step: that stop is the one thing in which these depend
+ * on the rate. */
 #include "assert_close.h"
 #include "base/random.h"
 #include "laws/kinematics.h"
@@ -29,6 +30,8 @@ typedef struct bench {
 } bench;
 
 static bench A, B; /* static: aligned */
+
+extern const tr_law tr_law_template; /* the start for a new law; not in the registry */
 
 static double power(units u, tr_dim d) {
     return pow(u.kg, d.kg) * pow(u.m, d.m) * pow(u.s, d.s);
@@ -249,6 +252,7 @@ static void for_all_laws(with_law *check) {
     for (int i = 0; i < c->n_normal; i++) for_its_shapes(check, 0, tr_laws_normal[i]);
     for (int i = 0; i < c->n_friction; i++) for_its_shapes(check, 1, tr_laws_friction[i]);
     for (int i = 0; i < c->n_rolling; i++) for_its_shapes(check, 2, tr_laws_rolling[i]);
+    for_its_shapes(check, 2, &tr_law_template);
 }
 
 /* violation: relative. Far below `small` where claimed, far above where not. */
