@@ -12,7 +12,7 @@
 #include <string.h>
 
 enum { LEGS = 8, PARTS = 30, STEPS = LEGS * PARTS, COORDINATES = 4, MANY = 40 };
-static const double DT = 1e-5;
+static const double DT = 1e-5, SEEN = 1e-4; /* a violation that is none of rounding */
 
 typedef struct bench {
     tr_pairs_tile a, b;
@@ -51,16 +51,20 @@ static double difference(bench *x) {
     return isnan(gap[0] + gap[1]) ? NAN : fmax(gap[0] / most[0], most[1] > 0 ? gap[1] / most[1] : 0);
 }
 
-static double against(bench *x, int slot, const tr_law *law, double speed, double W) {
+static double against(bench *x, int slot, const tr_law *law, double speed, double faster, double W) {
     tr_pairs_set(&x->a, slot, law), tr_pairs_set(&x->b, slot, law);
-    walk(&x->a, 1, 0, x->felt[0]), walk(&x->b, speed, W, x->felt[1]);
+    walk(&x->a, speed, 0, x->felt[0]), walk(&x->b, speed * faster, W, x->felt[1]);
     return difference(x);
 }
+/* A law that depends on the rate may be at its bound all the way at the first speed; it has slower ones to show it. */
 static double of_rate(bench *x, int slot, const tr_law *law) {
-    return against(x, slot, law, 2, 0);
+    double found = against(x, slot, law, 1, 2, 0);
+    for (double speed = 0.1; speed > 1e-7 && found <= SEEN && !(law->claims & TR_RATE_INDEPENDENT); speed *= 0.1)
+        found = against(x, slot, law, speed, 2, 0);
+    return found;
 }
 static double of_observer(bench *x, int slot, const tr_law *law) {
-    return against(x, slot, law, 1, -50);
+    return against(x, slot, law, 1, 1, -50);
 }
 
 /* q1 + q2 + X21 x f, of the torques; without any, of the force. */
@@ -135,7 +139,7 @@ static bool claim(tr_verify *v, bench *x, unsigned flag, const char *name, viola
             if (law->claims & flag)
                 claimed++, most = found <= most ? most : found; /* NaN stays */
             else
-                denied++, seen += found > 1e-4;
+                denied++, seen += found > SEEN;
             if (!tr_verify_go_on(v, st)) return false;
         }
     snprintf(quantity, sizeof quantity, "largest violation, %d laws %s", claimed, name);

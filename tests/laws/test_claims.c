@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* What each law of the registry claims, and law_template.c, shown to hold; what it does not claim, shown to fail in the
- * same motion: any flag turned over in the registry fails here; a choice that only kind: contact has is held to the same.
- * Then what holds for all laws: swapped bodies, bounds, forgetting, units, histories saved and restored. The law under test
- * is alone with a normal spring: pairs of 64 sizes and directions are driven along a path of changing overlap, sliding and
- * spins. No spin is so slow that a sign law would stop it within a step: that stop is the one thing in which these depend
- * on the rate. */
-#include "assert_close.h"
+ * same motion: any flag turned over in the registry fails here; a choice that only kind: contact has is held to the
+ * same. Then what holds for all laws: swapped bodies, bounds, forgetting, units, histories saved and restored. The law
+ * under test is alone with a normal spring: pairs of 64 sizes and directions are driven along a path of changing
+ * overlap, sliding and spins. No spin is so slow that a sign law would stop it within a step: that stop is the one
+ * thing in which these depend on the rate. */
 #include "base/random.h"
 #include "laws/kinematics.h"
-#include "laws/law.h"
+#include "laws/judged.h"
 #include "laws/rolling_conjugate_spring.h"
 #include "scene/scene.h"
 #include <stdlib.h>
@@ -238,6 +237,7 @@ static const units SI = {1, 1, 1};
 typedef void with_law(int slot, const tr_law *law);
 
 static void for_its_shapes(with_law *check, int slot, const tr_law *law) {
+    judged[0] = law;
     for (int d = 0; d <= (law->table.driver_choice != NULL); d++) {
         driver = d;
         shape = TR_SHAPE_DISK;
@@ -245,6 +245,7 @@ static void for_its_shapes(with_law *check, int slot, const tr_law *law) {
         shape = TR_SHAPE_SPHERE;
         if (!(law->table.demands & TR_ONLY_DISKS)) check(slot, law);
     }
+    judged[0] = NULL;
 }
 
 static void for_all_laws(with_law *check) {
@@ -265,12 +266,20 @@ static void judge(const tr_law *law, unsigned claim, const char *what, double vi
         fail_msg("%s is %s but does not claim it: %g", law->table.name, what, violation);
 }
 
-/* ---- rate independence: half the time step at twice the speed */
+/* ---- rate independence: half the time step at twice the speed. A law that depends on the rate need not show it at the
+ * first speed: a dashpot may be at its bound all the way. It has slower walks. */
+
+static double of_rate(int slot, const tr_law *law, double speed) {
+    set_up(&A, slot, law, false, SI), set_up(&B, slot, law, false, SI);
+    walk(&A, speed, 0, &F), walk(&B, 2 * speed, 0, &G);
+    return difference(&F, &G);
+}
 
 static void rate(int slot, const tr_law *law) {
-    set_up(&A, slot, law, false, SI), set_up(&B, slot, law, false, SI);
-    walk(&A, 1, 0, &F), walk(&B, 2, 0, &G);
-    judge(law, TR_RATE_INDEPENDENT, "rate-independent", difference(&F, &G));
+    double worst = of_rate(slot, law, 1);
+    for (double speed = 0.1; speed > 1e-7 && !(law->claims & TR_RATE_INDEPENDENT); speed *= 0.1)
+        worst = fmax(worst, of_rate(slot, law, speed));
+    judge(law, TR_RATE_INDEPENDENT, "rate-independent", worst);
 }
 
 static void test_rate(void **state) {
@@ -511,11 +520,11 @@ static void test_the_test_sees_something(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rate),    cmocka_unit_test(test_objectivity),
-        cmocka_unit_test(test_balance), cmocka_unit_test(test_closed_cycles),
-        cmocka_unit_test(test_swap),    cmocka_unit_test(test_bounds),
-        cmocka_unit_test(test_dashpot), cmocka_unit_test(test_memory),
-        cmocka_unit_test(test_units),   cmocka_unit_test(test_the_test_sees_something),
+        law_test(test_rate),    law_test(test_objectivity),
+        law_test(test_balance), law_test(test_closed_cycles),
+        law_test(test_swap),    law_test(test_bounds),
+        law_test(test_dashpot), law_test(test_memory),
+        law_test(test_units),   law_test(test_the_test_sees_something),
     };
     return cmocka_run_group_tests_name("claims", tests, NULL, NULL);
 }
