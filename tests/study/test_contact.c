@@ -4,6 +4,7 @@
 #include "assert_close.h"
 #include "laws/law.h"
 #include "study/contact.h"
+#include "study/every_law.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -211,38 +212,22 @@ static void own_contact_modulus(void **state) {
     end(&r);
 }
 
-#define EVERY_LAW                                                                                                      \
-    "  - {friction: dahlberg-alfredsson, mu: 0.3, k_t: 1 GPa, rolling: wang-spring, mu_r: 0.1, k_r: k_t}\n"            \
-    "  - {friction: coulomb-spring, mu: 0.3, k_t: 1 GPa, rolling: conjugate-spring, rolling_velocity: bagi-kuhn, mu_r: 0.1, k_r: k_t}\n"         \
-    "  - {rolling: star-force-proportional}\n"                                                                         \
-    "  - {friction: coulomb-spring, mu: 0, k_t: 1 GPa, rolling: star-constant-torque}\n"                               \
-    "  - {rolling: star-displacement-damping, damping: yes}\n"                                                         \
-    "  - {friction: cattaneo-mindlin, mu: 0.3, rolling: wang-spring, mu_r: 0.1, k_r: 1 GPa}\n"                         \
-    "  - {friction: kuhn-creep, mu: 0.3, rolling: wang-spring, mu_r: 0.1, k_r: 1 GPa}\n"                               \
-    "  - {friction: vu-quoc-zhang, mu: 0.3, rolling: wang-spring, mu_r: 0.1, k_r: 1 GPa}\n"
 #define HEAVY "kind: contact\nbodies: {R1: 10 mm, R2: 30 mm, E: 70 GPa, nu: 0.3, density: 2700}\n"
-
-/* The registry is in the list above, so that a new law is not forgotten here. */
-static void every_law_is_here(void **state) {
-    (void)state;
-    const tr_param_catalog *catalog = tr_laws_catalog();
-    for (int i = 0; i < catalog->n_friction; i++)
-        assert_true(!tr_laws_friction[i]->step || strstr(EVERY_LAW, catalog->friction[i]->name));
-    for (int i = 0; i < catalog->n_rolling; i++)
-        assert_true(!tr_laws_rolling[i]->step || strstr(EVERY_LAW, catalog->rolling[i]->name));
-}
 
 /* At P = 0 nothing acts, and what follows is as if the contact were new. */
 static void opening_forgets(void **state) {
     (void)state;
     const char *then = "  - {force: 1 kN/m, slide: 0.1 um, roll: 3 um, steps: 50, time: 1 ms}\n"
                        "  - {force: 0.5 kN/m, slide: -0.1 um, roll: -5 um, steps: 50, time: 1 ms}\n";
-    char old[2000], new[2000];
-    snprintf(new, sizeof new, HEAVY "laws:\n" EVERY_LAW "path:\n  - {force: 0, time: 1 ms, steps: 1}\n%s", then);
+    char old[5000], new[5000];
+    laws_text laws = {""};
+    bool pulls = false;
+    add_laws(&laws, TR_SHAPE_DISK, false);
+    snprintf(new, sizeof new, HEAVY "laws:\n%spath:\n  - {force: 0, time: 1 ms, steps: 1}\n%s", laws.s, then);
     snprintf(old, sizeof old,
-             HEAVY "laws:\n" EVERY_LAW "path:\n  - {force: 1 kN/m, slide: 0.4 um, roll: 2 um, time: 1 ms, steps: 9}\n"
+             HEAVY "laws:\n%spath:\n  - {force: 1 kN/m, slide: 0.4 um, roll: 2 um, time: 1 ms, steps: 9}\n"
                    "  - {force: 0, slide: 0.2 um, roll: 2 um, time: 1 ms, steps: 20}\n%s",
-             then);
+             laws.s, then);
     run fresh = drive(new), again = drive(old);
     for (int l = 0; l < fresh.scene.n_laws; l++) {
         const tr_contact_state *open = &again.state[l][28], *held = &again.state[l][8];
@@ -253,9 +238,10 @@ static void opening_forgets(void **state) {
             const tr_contact_state *f = &fresh.state[l][1 + i], *a = &again.state[l][29 + i];
             assert_true(f->Q == a->Q && f->q == a->q && f->moment_1 == a->moment_1 && f->moment_2 == a->moment_2);
             assert_true(f->f_r == a->f_r && isfinite(f->Q) && isfinite(f->moment_1) && isfinite(f->f_r));
+            pulls |= f->f_r != 0;
         }
     }
-    assert_true(fresh.state[1][100].f_r != 0);
+    assert_true(pulls);
     end(&fresh);
     end(&again);
 }
@@ -438,7 +424,6 @@ int main(void) {
         cmocka_unit_test(rolling_reversals),
         cmocka_unit_test(creep_closed_form),
         cmocka_unit_test(own_contact_modulus),
-        cmocka_unit_test(every_law_is_here),
         cmocka_unit_test(opening_forgets),
         cmocka_unit_test(time_counts_where_it_must),
         cmocka_unit_test(sign_laws_at_any_speed),

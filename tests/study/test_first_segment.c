@@ -5,6 +5,7 @@
 #include "assert_close.h"
 #include "laws/law.h"
 #include "study/contact.h"
+#include "study/every_law.h"
 #include "study/inside.h"
 #include "study/path.h"
 
@@ -101,18 +102,6 @@ static void rolls_from_its_own_force(void **state) {
 
 /* ---- every law, every way: bit for bit as behind a segment that only presses */
 
-#define EVERY                                                                                                          \
-    "laws:\n"                                                                                                          \
-    "  - {friction: coulomb-spring, mu: 0.3, k_t: 1e9, rolling: wang-spring, mu_r: 0.1, k_r: 1e9}\n"                   \
-    "  - {friction: cattaneo-mindlin, mu: 0.3, rolling: conjugate-spring, rolling_velocity: bagi-kuhn, mu_r: 0.1, k_r: 1e9}\n"                   \
-    "  - {friction: kuhn-creep, mu: 0.3, rolling: star-constant-torque}\n"                                             \
-    "  - {friction: vu-quoc-zhang, mu: 0.3, rolling: star-displacement-damping, damping: yes}\n"                       \
-    "  - {rolling: star-force-proportional}\n"
-#define OF_DISKS                                                                                                       \
-    "  - {friction: dahlberg-alfredsson, mu: 0.3, k_t: 1e9}\n"                                                         \
-    "  - {friction: dahlberg-alfredsson, mu: 0.3, k_t: 1e9, step: exact}\n"                                            \
-    "  - {friction: exact, mu: 0.3, elements: 40}\n"
-
 static void same(int laws, int n) {
     for (int l = 0; l < laws; l++)
         for (int i = 0; i < n; i++) {
@@ -124,24 +113,26 @@ static void same(int laws, int n) {
 
 static void every_law(void **state) {
     (void)state;
-    static const char *const head[] = {DISKS EVERY OF_DISKS, SPHERES EVERY}, *const load[] = {"force: 500",
-                                                                                              "overlap: 1 um"};
-    for (int shape = 0; shape < 2; shape++)
+    static const char *const bodies[] = {DISKS, SPHERES}, *const load[] = {"force: 500", "overlap: 1 um"};
+    for (int shape = 0; shape < 2; shape++) {
+        laws_text every = {""};
+        add_laws(&every, shape ? TR_SHAPE_SPHERE : TR_SHAPE_DISK, true);
         for (int how = 0; how < 2; how++)
             for (int steps = 1; steps < 50; steps += 16) {
-                char path[400], text[3000];
+                char path[400], text[5000];
                 snprintf(path, sizeof path,
                          "  - {%s, slide: 0.2 um, roll: 30 um, time: 1 ms, steps: %d}\n"
                          "  - {force: 800, slide: -0.3 um, roll: -10 um, time: 1 ms, steps: 5}\n",
                          load[how], steps);
-                snprintf(text, sizeof text, "%spath:\n%s", head[shape], path);
+                snprintf(text, sizeof text, "%slaws:\n%spath:\n%s", bodies[shape], every.s, path);
                 int laws = drive(text, steps + 5, one);
-                snprintf(text, sizeof text, "%spath:\n  - {%s, time: 1 ms, steps: 2}\n%s", head[shape], load[how],
-                         path);
+                snprintf(text, sizeof text, "%slaws:\n%spath:\n  - {%s, time: 1 ms, steps: 2}\n%s", bodies[shape],
+                         every.s, load[how], path);
                 assert_int_equal(drive(text, steps + 5, two), laws);
                 same(laws, steps + 5);
                 for (int l = 0; l < laws; l++) assert_true(one[l][0].Q != 0 || one[l][0].moment_1 != 0);
             }
+    }
 }
 
 static char folder[] = "/tmp/trundle-first-XXXXXX", file[64];
@@ -155,8 +146,10 @@ static void write_rows(const char *rows) {
 
 static void first_row_of_a_file(void **state) {
     (void)state;
-    char text[3000];
-    snprintf(text, sizeof text, DISKS EVERY OF_DISKS "path: %s\n", file);
+    char text[5000];
+    laws_text every = {""};
+    add_laws(&every, TR_SHAPE_DISK, true);
+    snprintf(text, sizeof text, DISKS "laws:\n%spath: %s\n", every.s, file);
     write_rows("4e-9,1e-6,500,1\n2e-8,3e-6,500,2\n1e-8,2e-6,800,3\n");
     int laws = drive(text, 3, one);
     write_rows("0,0,500,1\n4e-9,1e-6,500,2\n2e-8,3e-6,500,3\n1e-8,2e-6,800,4\n");
