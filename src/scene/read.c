@@ -97,10 +97,11 @@ static const tr_section *elsewhere(const tr_scope *s, const char *key) {
 
 static void offer(char *list, size_t size, tr_near *near, const char *wanted, const char *key) {
     size_t used = strlen(list);
+    bool full = used && list[used - 1] == '.';
     tr_text_nearer(near, wanted, key);
-    if (used + strlen(key) + 8 < size)
+    if (!full && used + strlen(key) + 8 < size)
         sprintf(list + used, "%s%s", used ? ", " : "", key);
-    else if (used + 6 < size && list[used - 1] != '.')
+    else if (!full && used + 6 < size)
         strcpy(list + used, ", ...");
 }
 
