@@ -14,7 +14,17 @@ set -eu
 export LC_ALL=C
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-case=${0%.sh}.yaml
+
+# The program names its definitions where one is not known; those of definitions.yaml take their places, conjugate-spring is last.
+names=$("$1" run "${0%.sh}.yaml" --check --set laws.0.rolling_velocity=no-such 2>&1 | sed -n 's/.*allowed is //p' | tr -d '|' | xargs) || true
+[ -n "$names" ] || { echo "error: $1 does not name its definitions of the rolling velocity" >&2; exit 1; }
+case=$work/definitions.yaml
+awk -v names="$names" '
+    /wang-spring, rolling_velocity: wang,/ {
+        n = split(names, name, " ")
+        for (i = 1; i <= n; i++) {line = $0; sub(/velocity: wang/, "velocity: " name[i], line); print line}
+    }
+    !/rolling: wang-spring/' "${0%.sh}.yaml" >"$case"
 ratios=$(awk 'BEGIN {for (k = -10; k <= 10; k++) printf "%.17g\n", 10^(k/10)}')
 
 echo "$ratios" | awk '
@@ -43,13 +53,14 @@ echo 'motion,definition,R2_over_R1,value'
         NR == 1 {for (i = 1; i <= NF; i++) at[$i] = i; next}
         {
             R1 = $at["R1"]; R2 = $at["R2"]
-            say("wang", $at["Vr_wang"]); say("jiang", $at["Vr_jiang"]); say("bagi-kuhn", $at["Vr_bagi_kuhn"])
-            say("alonso-min", $at["Vr_alonso_min"]); say("alonso-mean", $at["Vr_alonso_mean"])
-            say("tordesillas", $at["Vr_tordesillas"]*(R1 < R2 ? R1 : R2)/2); say("kuhn", $at["Vroll_kuhn"])
+            for (column in at) if (column ~ /^Vr(oll)?_/) {
+                name = column; sub(/^Vr(oll)?_/, "", name); gsub(/_/, "-", name)
+                say(name, $at[column]*(name == "tordesillas" ? (R1 < R2 ? R1 : R2)/2 : 1))
+            }
         }
         function say(name, v) {printf "%s,%s,%.10g,%.10g\n", $1, name, R2/R1, v/1e-3}' "$work/measures.csv"
-    awk -F, '
-        BEGIN {split("wang,bagi-kuhn,alonso-min,alonso-mean,conjugate-spring of bagi-kuhn", name, ","); R1 = 0.01; k_r = 1e6; u = 1e-6}
+    awk -F, -v names="$names" '
+        BEGIN {n = split(names, name, " "); name[n + 1] = "conjugate-spring of bagi-kuhn"; R1 = 0.01; k_r = 1e6; u = 1e-6}
         $3 == 1 {slide[$2] = roll[$2] = M1[$2] = M2[$2] = f[$2] = 0; R_eff = R1*$1/(1 + $1)}
         {
             i = $2; R2 = $1*R1; dslide = $5 - slide[i]; droll = $6 - roll[i]
@@ -62,9 +73,11 @@ echo 'motion,definition,R2_over_R1,value'
         $3 == 32 {say("spin and roll", 1)}
         function say(motion, lever) {
             printf "%s,%s,%.10g,%.10g\n", motion, name[i + 1], $1, work[i]/(k_r*u*u*lever)
-            if (i < 4) printf "%s conjugate,%s,%.10g,%.10g\n", motion, name[i + 1], $1, conjugate[i]/(k_r*u*u*lever)
+            if (worked_out(name[i + 1])) printf "%s conjugate,%s,%.10g,%.10g\n", motion, name[i + 1], $1, conjugate[i]/(k_r*u*u*lever)
             work[i] = conjugate[i] = 0
         }
+        # Of these A and B are worked out here.
+        function worked_out(of) {return of ~ /^(wang|bagi-kuhn|alonso-min|alonso-mean)$/}
         # A dth1 + B dth2 of a step, from the arcs over both rims; below 1e-13 m they are rounding, a step is 2.5e-7 m
         function rolled(of, s1, s2) {
             if (of == "wang") return (R2*s1 + R1*s2)/(R1 + R2)

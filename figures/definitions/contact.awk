@@ -23,18 +23,19 @@ NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
     hand[i] += k_r*(A*s1/R1 - B*s2/R2) # dth1 = s1/R1, dth2 = -s2/R2
     if (hand[i] > bound) hand[i] = bound
     if (hand[i] < -bound) hand[i] = -bound
-    if ((T - hand[i])^2 > (1e-9*bound)^2) bad = 1 # a sum of 200 steps, rounded
-    print step, segment, name[i + 1], T, $at["moment_1_N"], $at["moment_2_N"], -A*T, -B*T >rows
+    if (!known) hand[i] = "" # not worked out here: T stands alone
+    if (known && (T - hand[i])^2 > (1e-9*bound)^2) bad = 1 # a sum of 200 steps, rounded
+    print step, segment, name[i + 1], T, $at["moment_1_N"], $at["moment_2_N"], (known ? -A*T : ""), (known ? -B*T : "") >rows
     if (segment > segments) segments = segment
-    end[segment, i] = T; by_hand[segment, i] = hand[i]; m1[segment, i] = -A*T; m2[segment, i] = -B*T
+    end[segment, i] = T; by_hand[segment, i] = hand[i]; m1[segment, i] = known ? -A*T : ""; m2[segment, i] = known ? -B*T : ""
 }
 function coefficients(of) {
-    A = B = 0
+    A = B = 0; known = of ~ /^(wang|bagi-kuhn|alonso-min|alonso-mean)$/
     if (of == "wang") { A = R_eff; B = -R_eff }
     else if (of == "bagi-kuhn" || (of == "alonso-mean" && s1*s2 > 0)) { A = R1/2; B = -R2/2 }
     else if (of == "alonso-min" && s1*s2 > 0) { if (s1*s1 < s2*s2*(1 - 1e-9)) A = R1; else B = -R2 } # equal: disk 2
 }
-function number(x) { x = x*x < 1e-18 ? 0 : sprintf("%.3g", x); sub(/^-/, "−", x); return x }
+function number(x) { if (x == "") return "–"; x = x*x < 1e-18 ? 0 : sprintf("%.3g", x); sub(/^-/, "−", x); return x }
 END {
     print "after", "definition", "T (N/m)", "by hand", "moments on 1 and 2: the paper's (mN)", "conjugate (mN)" >table
     for (k = 1; k <= segments; k++) for (i = 0; i < n; i++)
