@@ -109,7 +109,8 @@ static void throw_at(show *s, int normal, int friction, int rolling, int motion,
     for (int k = 0; k < 3; k++)
         for (int i = 0; i < table[k]->n; i++) {
             const tr_param *p = &table[k]->params[i];
-            if (p->type == TR_REAL) set_parameter(law[k], table[k], p->key, p->dim.kg ? K : 0.2);
+            double value = p->dim.kg ? K * pow(1e-5, p->dim.s + 2) : 0.2; /* a viscosity for steps of 2e-5 s */
+            if (p->type == TR_REAL) set_parameter(law[k], table[k], p->key, value);
             if (p->type == TR_SWITCH) *(bool *)(void *)((char *)law[k]->par + p->offset) = true;
         }
     *s = (show){.disk = {{.radius = R, .x = 0.3 * R, .y = 1.94 * R, .vx = 0.2, .vy = -0.3, .spin = -4},
