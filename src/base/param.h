@@ -81,7 +81,7 @@ typedef struct tr_param {
 typedef enum tr_demands {
     TR_ONLY_DISKS = 1,
     TR_ONLY_SPHERES = 2,
-    TR_NEEDS_TIME = 4,    /* of a prescribed path: the law depends on the rate */
+    TR_NEEDS_TIME = 4,    /* the law depends on the rate; a prescribed path must give times, but for normal laws */
     TR_ONLY_DRIVER = 16,  /* kind: contact alone has it */
     TR_NEEDS_DENSITY = 8, /* of the bodies on a prescribed path: the law depends on their inertia */
 } tr_demands;

@@ -85,7 +85,7 @@ static void show(const char *slot, const tr_law *law) {
     printf("  for\n    %s\n", only == TR_ONLY_DISKS ? "disks" : only ? "spheres" : "disks and spheres");
     if (law->table.n) printf("  parameters (under contact:, or in an item of laws:)\n");
     for (int i = 0; i < law->table.n; i++) print_param(&law->table.params[i]);
-    print_claims(law->claims);
+    print_claims(tr_law_claims(law));
 }
 
 static error_t parse(int key, char *value, struct argp_state *state) {

@@ -33,7 +33,7 @@ const tr_law tr_friction_cattaneo_mindlin = {
                "e += Vs dt where the contact was, clamped to |e(s)| <= mu kappa (delta - s)\n"
                "virgin: |Q| = mu (P(delta) - P(delta - |u|/(mu kappa)))\n"
                "kappa = (2 - nu)/(2 (1 - nu)) of spheres, 1 of disks",
-    .claims = TR_RATE_INDEPENDENT | TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
+    .claims = TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
     .n_hist = TR_BED_HIST,
     .needs = TR_ELASTIC_P,
     .merged = 2,

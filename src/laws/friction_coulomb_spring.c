@@ -52,7 +52,7 @@ const tr_law tr_friction_coulomb_spring = {
     .table = {"coulomb-spring", "tangential spring capped at mu f_n", params, .n = sizeof params / sizeof *params},
     .source = "[Cundall1979]",
     .formula = "Q <- Q + k_t Vs dt, clamped to |Q| <= mu f_n; force on body 2: -Q t",
-    .claims = TR_RATE_INDEPENDENT | TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
+    .claims = TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
     .n_hist = 1,
     .step = step,
     .state = state,

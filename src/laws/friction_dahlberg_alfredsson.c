@@ -133,7 +133,7 @@ const tr_law tr_friction_dahlberg_alfredsson = {
                "step: backward-euler in closed form, or the exact solution, P linear and rates constant over the step",
     .differs = "Eq. 11 is printed without signs (wrong where Q < 0 or rolling turns back) and is 0/0 where nothing "
                "slides.",
-    .claims = TR_RATE_INDEPENDENT | TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
+    .claims = TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
     .n_hist = 1, /* and one more for exact */
     .slip = TR_SLIPS_TRAILING,
     .step = step,

@@ -24,6 +24,6 @@ const tr_law tr_friction_exact = {
     .source = "[Kalker1971]",
     .formula = "du_disp = slip + u_n(x) - u_{n-1}(x - du_roll), |tau| <= mu p(x), Q = int tau dx\n"
                "u(x) = (2/(pi E_star)) int tau(s) ln(d/|x - s|) ds, p of Hertz, elements of constant tau",
-    .claims = TR_RATE_INDEPENDENT | TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
+    .claims = TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
     .needs = TR_SOLVED_BY_PATCH,
 };

@@ -128,7 +128,7 @@ const tr_law tr_friction_kuhn_creep = {
                "disks: F(q) = (mu a/R) (1 - sqrt(1 - q)), a = sqrt(4 P R/(pi E_star)), 1/R = 1/R1 + 1/R2\n"
                "C11 linear between 3.40, 4.12, 5.20 at nu = 0, 0.25, 0.5; steps of second order",
     .differs = "Eqs. 10, 16 and 17 are printed for equal spheres, 1/R = 2/R1. Disks creep by Carter's function.",
-    .claims = TR_RATE_INDEPENDENT | TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
+    .claims = TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
     .n_hist = TR_BED_HIST,
     .needs = TR_ELASTIC_P,
     .merged = 2,

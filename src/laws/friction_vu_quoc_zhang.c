@@ -44,7 +44,7 @@ const tr_law tr_friction_vu_quoc_zhang = {
                "|u| <= mu kappa delta; one step is exact at constant P",
     .differs = "Whether u is the total or the effective displacement is not told; it is the effective one, with which "
                "steady rolling settles.",
-    .claims = TR_RATE_INDEPENDENT | TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
+    .claims = TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
     .n_hist = TR_BED_HIST,
     .needs = TR_ELASTIC_P,
     .merged = 2,

@@ -137,7 +137,7 @@ typedef enum tr_needs {
 /* What a law claims, at its default options. tests/laws/test_claims.c shows each claim to hold, and to fail where it is
  * not made. */
 typedef enum tr_claims {
-    TR_RATE_INDEPENDENT = 1, /* the path counts, not the speed along it */
+    TR_RATE_INDEPENDENT = 1, /* the path counts, not the speed along it; follows from the table, see tr_law_claims */
     TR_OBJECTIVE = 2,        /* the same for an observer who moves or turns; nothing in a rigid rotation */
     TR_BALANCED = 4,         /* changes neither momentum nor angular momentum of the two bodies together; m1 = -m2 */
     TR_ENERGY_CLOSED = 8,    /* no closed cycle gains energy from it, at constant or changing normal force */
@@ -156,7 +156,7 @@ struct tr_law {
     const char *source;   /* e.g. "[Wang2015 eq. 28]" */
     const char *formula;  /* as `trundle laws NAME` prints it; lines end in \n but the last */
     const char *differs;  /* what differs from the source as printed; NULL: nothing */
-    unsigned claims;      /* tr_claims */
+    unsigned claims;      /* tr_claims, but for TR_RATE_INDEPENDENT; read by tr_law_claims */
     /* Doubles of history per contact, all zero when a contact forms; without those that only table.driver_choice keeps:
      * kind: contact has room for TR_MAX_HIST. */
     int n_hist;
@@ -181,6 +181,12 @@ struct tr_law {
     tr_elastic (*elastic)(const void *par, double R1, double R2, double delta);
     double (*overlap)(const void *par, double R1, double R2, double force);
 };
+
+/* All claims of a law at its default options: those of its row, and TR_RATE_INDEPENDENT if it does not demand times. */
+static inline unsigned tr_law_claims(const tr_law *law) {
+    bool by_rate = law->table.demands & TR_NEEDS_TIME && !law->table.demands_if;
+    return law->claims | (by_rate ? 0 : TR_RATE_INDEPENDENT);
+}
 
 enum { TR_NORMAL, TR_FRICTION, TR_ROLLING, TR_N_SLOTS };
 

@@ -100,14 +100,16 @@ extern const tr_law tr_law_template; /* laws.c declares those of the registry; t
 const tr_law tr_law_template = {
     .table = {"template", "rolling spring and dashpot, capped at mu_r f_n, lever R_eff", params,
               .n = sizeof params / sizeof *params,
-              .demands = TR_NEEDS_TIME | TR_NEEDS_DENSITY}, /* what a prescribed path must give */
+              /* It depends on the rate and on the inertia of the bodies; a prescribed path must give both. */
+              .demands = TR_NEEDS_TIME | TR_NEEDS_DENSITY},
     .source = "[Luding2008]",
     .formula = "S <- S + k_r V_r dt, clamped to |S| <= mu_r f_n\n"
                "T = S + c V_r, clamped to |T| <= mu_r f_n, c = 2 rolling_damping sqrt(k_r I)/R_eff, 1/I = 1/I1 + 1/I2\n"
                "moments -R_eff T on 1, +R_eff T on 2; R_eff = R1 R2/(R1 + R2), R2 at a wall",
     .differs = "Where the sum is at its bound the source sets the spring to the bound less c V_r; here S is clamped by "
                "itself.",
-    /* A test shows each claim to hold, and to fail where it is not made. This one depends on the rate. */
+    /* A test shows each claim to hold, and to fail where it is not made. Without TR_NEEDS_TIME above, independence of the
+     * rate is claimed too. */
     .claims = TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
     .n_hist = N_HIST,
     .n_pair = N_PAIR,

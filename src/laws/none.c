@@ -2,7 +2,7 @@
 /* No law: a scene that chooses it has no pass, no history and no pair constant for that slot. */
 #include "laws/law.h"
 
-enum { ALL_CLAIMS = TR_RATE_INDEPENDENT | TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED };
+enum { ALL_CLAIMS = TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED };
 
 const tr_law tr_friction_none = {
     .table = {.name = "none", .doc = "no friction"},

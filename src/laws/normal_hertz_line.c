@@ -144,7 +144,7 @@ static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *b) {
 
 const tr_law tr_normal_hertz_line = {
     .table = {"hertz-line", "Hertz line contact of disks with the logarithmic approach, and dashpot, no attraction",
-              params, .n = sizeof params / sizeof *params, .demands = TR_ONLY_DISKS},
+              params, .n = sizeof params / sizeof *params, .demands = TR_ONLY_DISKS | TR_NEEDS_TIME},
     .source = "[Johnson1985] [Tsuji1992]",
     .formula = "f_n = max(0, P + c v_n), delta = (2P/(pi E_star)) (ln(2d/a) + 1/2)\n"
                "a = sqrt(4 P R/(pi E_star)), 1/R = 1/R1 + 1/R2, d = depth\n"

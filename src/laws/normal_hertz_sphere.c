@@ -67,7 +67,7 @@ static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *b) {
 
 const tr_law tr_normal_hertz_sphere = {
     .table = {"hertz-sphere", "Hertz contact of spheres and dashpot, no attraction", params,
-              .n = sizeof params / sizeof *params, .demands = TR_ONLY_SPHERES},
+              .n = sizeof params / sizeof *params, .demands = TR_ONLY_SPHERES | TR_NEEDS_TIME},
     .source = "[Johnson1985] [Tsuji1992]",
     .formula = "f_n = max(0, P + c v_n), P = (4/3) E_star sqrt(R) delta^(3/2), 1/R = 1/R1 + 1/R2\n"
                "c = 2 damping_ratio sqrt(k m_eff), k = dP/ddelta, m_eff = m1 m2/(m1 + m2)",

@@ -65,7 +65,8 @@ static double overlap(const void *par_, double R1, double R2, double force) {
 }
 
 const tr_law tr_normal_linear = {
-    .table = {"linear", "linear spring and dashpot, no attraction", params, .n = sizeof params / sizeof *params},
+    .table = {"linear", "linear spring and dashpot, no attraction", params, .n = sizeof params / sizeof *params,
+              .demands = TR_NEEDS_TIME},
     .source = "[Cundall1979]",
     .formula = "f_n = max(0, k_n delta + c v_n), c = 2 damping_ratio sqrt(k_n m_eff), m_eff = m1 m2/(m1 + m2)",
     .differs = "The force of the dashpot never pulls: a contact ends when f_n reaches 0, not when the overlap does.",

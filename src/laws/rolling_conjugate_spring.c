@@ -109,7 +109,7 @@ const tr_law tr_rolling_conjugate_spring = {
         "wang; the force along t is what was missing. It has no bound of its own: |f_t + f_r| may exceed mu f_n. The "
         "bound on the step takes the case of rolling_velocity that allows least and does not cover switching between "
         "cases.",
-    .claims = TR_RATE_INDEPENDENT | TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
+    .claims = TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
     .n_hist = N_HIST,
     .needs = TR_NEEDS_V_R | TR_NEEDS_PARTIALS | TR_GIVES_F_R,
     .step = step,

@@ -98,7 +98,7 @@ const tr_law tr_rolling_star_constant_torque = {
         "The \"harmonic mean\" R_eq is ambiguous: both readings are choices. The limiter's \"angular momentum\" is "
         "read as a moment and \"the lesser of the two rotations\" as the lesser of I |w|; it is off unless chosen, "
         "and with it the law is neither rate-independent nor objective.",
-    .claims = TR_RATE_INDEPENDENT | TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
+    .claims = TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
     .needs = TR_NEEDS_Z,
     .n_hist = 1,
     .n_pair = 4,

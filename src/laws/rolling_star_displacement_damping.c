@@ -109,7 +109,7 @@ const tr_law tr_rolling_star_displacement_damping = {
         "Eq. 3277's bound has lost its <=, eq. 3278 a symbol, C its root; the second branch of eq. 3278 cannot be "
         "reached after the clamp and is read as \"at the bound\". R_eq is ambiguous: both readings are choices. "
         "The page gives no defaults for the damping. With damping: yes the law is rate-dependent.",
-    .claims = TR_RATE_INDEPENDENT | TR_OBJECTIVE | TR_BALANCED,
+    .claims = TR_OBJECTIVE | TR_BALANCED,
     .n_hist = 1,
     .n_pair = 1,
     .pair = pair,

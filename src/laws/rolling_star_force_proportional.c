@@ -82,7 +82,7 @@ const tr_law tr_rolling_star_force_proportional = {
     .formula = "M_p = -mu_r f_n |r_c| w_p/|w_p| on each body p, |r_c| its arm to the contact point\n"
                "at w_p = 0 what stops the spin within the step",
     .differs = "Eq. 3275 is printed without the minus. Neither objective nor balanced, as documented by its source.",
-    .claims = TR_RATE_INDEPENDENT | TR_ENERGY_CLOSED,
+    .claims = TR_ENERGY_CLOSED,
     .needs = TR_NEEDS_Z,
     .n_hist = 2,
     .n_pair = 4,

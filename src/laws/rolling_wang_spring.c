@@ -64,7 +64,7 @@ const tr_law tr_rolling_wang_spring = {
         "Eq. 28 compares a torque with a force and stops incrementing at the bound, which locks; here the trial "
         "value is clamped. The lever is not printed; R_eff makes T conjugate to rolling_velocity: wang, for which "
         "the claim on energy is made.",
-    .claims = TR_RATE_INDEPENDENT | TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
+    .claims = TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
     .n_hist = 1,
     .needs = TR_NEEDS_V_R,
     .step = step,

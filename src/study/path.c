@@ -83,12 +83,14 @@ static bool row(void *context, tr_csv *csv) {
 /* Rates are not guessed. */
 static bool has_times(const path *p, tr_status *st) {
     for (int i = 0; i < p->scene->n_laws && !p->timed; i++) {
-        const tr_scene_law *chosen = &p->scene->laws[i].rolling;
-        const tr_law *law = tr_laws_rolling[chosen->law];
-        if (tr_param_demands(&law->table, chosen->par) & TR_NEEDS_TIME)
+        const tr_scene_contact *c = &p->scene->laws[i];
+        const tr_param_table *friction = &tr_laws_friction[c->friction.law]->table,
+                             *rolling = &tr_laws_rolling[c->rolling.law]->table;
+        bool by_friction = tr_param_demands(friction, c->friction.par) & TR_NEEDS_TIME;
+        if (by_friction || tr_param_demands(rolling, c->rolling.par) & TR_NEEDS_TIME)
             return tr_status_fail(st, TR_BAD_CASE,
                                   "%.480s:1: error: no column time_s: the law %s of `laws.%d` depends on the rate",
-                                  p->scene->path_file, law->table.name, i);
+                                  p->scene->path_file, (by_friction ? friction : rolling)->name, i);
     }
     return true;
 }

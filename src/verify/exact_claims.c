@@ -59,7 +59,7 @@ static double against(bench *x, int slot, const tr_law *law, double speed, doubl
 /* A law that depends on the rate may be at its bound all the way at the first speed; it has slower ones to show it. */
 static double of_rate(bench *x, int slot, const tr_law *law) {
     double found = against(x, slot, law, 1, 2, 0);
-    for (double speed = 0.1; speed > 1e-7 && found <= SEEN && !(law->claims & TR_RATE_INDEPENDENT); speed *= 0.1)
+    for (double speed = 0.1; speed > 1e-7 && found <= SEEN && !(tr_law_claims(law) & TR_RATE_INDEPENDENT); speed *= 0.1)
         found = against(x, slot, law, speed, 2, 0);
     return found;
 }
@@ -136,7 +136,7 @@ static bool claim(tr_verify *v, bench *x, unsigned flag, const char *name, viola
             const tr_law *law = laws[slot][i];
             if (!law->step || law->needs & TR_SOLVED_BY_PATCH) continue;
             double found = of(x, slot, law);
-            if (law->claims & flag)
+            if (tr_law_claims(law) & flag)
                 claimed++, most = found <= most ? most : found; /* NaN stays */
             else
                 denied++, seen += found > SEEN;

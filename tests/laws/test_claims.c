@@ -259,7 +259,7 @@ static void for_all_laws(with_law *check) {
 /* violation: relative. Far below `small` where claimed, far above where not. */
 static void judge(const tr_law *law, unsigned claim, const char *what, double violation) {
     const double small = 1e-9, seen = 1e-4;
-    bool claimed = law->claims & claim;
+    bool claimed = tr_law_claims(law) & claim;
     if (!claimed) print_message("%s is not %s: %.2g\n", law->table.name, what, violation);
     if (claimed && !(violation <= small)) fail_msg("%s is not %s: %g", law->table.name, what, violation);
     if (!claimed && !(violation > seen))
@@ -277,7 +277,7 @@ static double of_rate(int slot, const tr_law *law, double speed) {
 
 static void rate(int slot, const tr_law *law) {
     double worst = of_rate(slot, law, 1);
-    for (double speed = 0.1; speed > 1e-7 && !(law->claims & TR_RATE_INDEPENDENT); speed *= 0.1)
+    for (double speed = 0.1; speed > 1e-7 && !(tr_law_claims(law) & TR_RATE_INDEPENDENT); speed *= 0.1)
         worst = fmax(worst, of_rate(slot, law, speed));
     judge(law, TR_RATE_INDEPENDENT, "rate-independent", worst);
 }
@@ -509,7 +509,7 @@ static void acts(int slot, const tr_law *law) {
     set_up(&A, slot, law, false, SI);
     walk(&A, 1, 0, &F);
     assert_true(slot == 0 || (largest(F.q1) > 0 && largest(F.q2) > 0) == (law->step != NULL));
-    denied |= ~law->claims;
+    denied |= ~tr_law_claims(law);
 }
 
 static void test_the_test_sees_something(void **state) {

@@ -96,7 +96,7 @@ static void law(maker *m, const char *slot, const tr_param_table *const *laws, i
     do t = laws[whole(m, 0, n - 1)];
     while (t->demands & wrong);
     fprintf(m->out, "%s%s: %s", slot[0] == 'n' ? "" : ", ", slot, t->name);
-    m->needs_density |= t->demands & TR_NEEDS_DENSITY, m->needs_time |= t->demands & TR_NEEDS_TIME;
+    m->needs_density |= t->demands & TR_NEEDS_DENSITY, m->needs_time |= slot[0] != 'n' && t->demands & TR_NEEDS_TIME;
     for (int i = 0; i < t->n; i++) {
         bool seen = false;
         for (int k = 0; k < m->n_keys; k++) seen |= strcmp(m->key[k], t->params[i].key) == 0;
