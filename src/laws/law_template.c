@@ -108,8 +108,8 @@ const tr_law tr_law_template = {
                "moments -R_eff T on 1, +R_eff T on 2; R_eff = R1 R2/(R1 + R2), R2 at a wall",
     .differs = "Where the sum is at its bound the source sets the spring to the bound less c V_r; here S is clamped by "
                "itself.",
-    /* A test shows each claim to hold, and to fail where it is not made. Without TR_NEEDS_TIME above, independence of the
-     * rate is claimed too. */
+    /* A test shows each claim to hold, and to fail where it is not made. Without TR_NEEDS_TIME above, independence of
+     * the rate is claimed too. */
     .claims = TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
     .n_hist = N_HIST,
     .n_pair = N_PAIR,
