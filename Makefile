@@ -246,12 +246,20 @@ $(BUILD)/api/libtrundle.so: $(API_OBJ) src/api/names.map
 $(BUILD)/api/libtrundle.a: $(API_OBJ)
 	@mkdir -p $(@D) && rm -f $@
 	$(call step,AR) $(LD) -r -o $(@:.a=.o) $^ && objcopy --wildcard --keep-global-symbol='trundle_*' $(@:.a=.o) && ar rcs $@ $(@:.a=.o)
-$(BUILD)/%.c.o: %.c
+$(BUILD)/%.c.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(call step,CC) $(CC) $(C_FLAGS) -c -o $@ $<
-$(BUILD)/%.cpp.o: %.cpp
+$(BUILD)/%.cpp.o: %.cpp $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(call step,CXX) $(CXX) $(CXX_FLAGS) -c -o $@ $<
+# Other flags, and all objects are made anew.
+FLAGS_NOW := $(strip $(CC) $(C_FLAGS) $(CXX) $(CXX_FLAGS))
+$(BUILD)/flags:
+	@mkdir -p $(@D)
+	@printf '%s\n' '$(subst ','\'',$(FLAGS_NOW))' >$@
+ifneq ($(FLAGS_NOW),$(file <$(BUILD)/flags))
+.PHONY: $(BUILD)/flags
+endif
 # Another commit, and this one object is made anew.
 $(BUILD)/src/base/commit.c.o: $(BUILD)/commit
 $(BUILD)/src/base/commit.c.o: C_FLAGS += -DTR_COMMIT='"$(COMMIT)"'
