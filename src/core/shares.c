@@ -141,7 +141,7 @@ bool tr_shares_forces(tr_world *world, double dt, tr_status *st) {
     s->dt = dt;
     tr_threads_run(world->threads, work, world);
     for (int k = 0; k < s->threads; k++)
-        for (const late *l = s->part[k].late, *end = l + s->part[k].n_late; l < end; l++) force[l->disk] += l->force;
+        for (int i = 0; i < s->part[k].n_late; i++) force[s->part[k].late[i].disk] += s->part[k].late[i].force;
     for (int tile = 0; tile < s->tiles; tile++) {
         const sums *t = &s->sums[tile];
         world->contact_updates += t->touching;
