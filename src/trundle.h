@@ -3,14 +3,15 @@
  *
  *     cc mine.c $(pkg-config --cflags --libs trundle)
  *
- * Units are SI. Disks are cylinders: forces are per metre of length [N/m], moments [N], masses [kg/m]. Spheres that move
- * in the plane (`shape: sphere`) have N, N m and kg. Rotations are positive counter-clockwise.
+ * Units are SI. Disks are cylinders: forces are per metre of length [N/m], moments [N], masses [kg/m]. Spheres that
+ * move in the plane (`shape: sphere`) have N, N m and kg. Rotations are positive counter-clockwise.
  *
  * ERRORS. A function that can fail takes an error as its last argument. It may be NULL. Such a function returns
- * TRUNDLE_OK or the code of the error, or, where it makes something, NULL. The text says what is wrong and where. Nothing is
- * printed, and the program is not ended.
+ * TRUNDLE_OK or the code of the error, or, where it makes something, NULL. The text says what is wrong and where.
+ * Nothing is printed, and the program is not ended.
  *
- * OWNERSHIP. What a `new` or `read` function returns is yours: give it to the `free` function of its type. free functions take
+ * OWNERSHIP. What a `new` or `read` function returns is yours: give it to the `free` function of its type. free
+ * functions take
  * NULL. Strings that a function returns belong to the library and stay valid.
  *
  * THREADS. Nothing is shared between objects. Use one object from one thread at a time. */
@@ -44,7 +45,8 @@ TRUNDLE_API const char *trundle_version(void);
 
 typedef struct trundle_scene trundle_scene;
 
-/* sets: n_sets texts "key=value" that override the file, as --set does; NULL if n_sets is 0. NULL: TRUNDLE_BAD_CASE or TRUNDLE_FILE. */
+/* sets: n_sets texts "key=value" that override the file, as --set does; NULL if n_sets is 0. NULL: TRUNDLE_BAD_CASE or
+ * TRUNDLE_FILE. */
 TRUNDLE_API trundle_scene *trundle_scene_read_file(const char *path, const char *const *sets, int n_sets,
                                                    trundle_error *error);
 /* The same from text (NUL at its end). name: what messages call it. */
@@ -77,8 +79,9 @@ typedef struct trundle_biaxial {
         void_ratio; /* stresses: means over the steps since the last call [Pa] */
 } trundle_biaxial;
 
-/* kind: bodies or biaxial, else TRUNDLE_BAD_CASE. A biaxial test is thrown and compacted here, which takes seconds. The scene must
- * outlive the world. The world stands at the start of the motion or of the shear, with the forces of that instant. */
+/* kind: bodies or biaxial, else TRUNDLE_BAD_CASE. A biaxial test is thrown and compacted here, which takes seconds. The
+ * scene must outlive the world. The world stands at the start of the motion or of the shear, with the forces of that
+ * instant. */
 TRUNDLE_API trundle_world *trundle_world_new(const trundle_scene *scene, trundle_error *error);
 TRUNDLE_API void trundle_world_free(trundle_world *world);
 
@@ -100,8 +103,8 @@ TRUNDLE_API int trundle_world_disk(const trundle_world *world, int i, trundle_di
 TRUNDLE_API int trundle_world_set_velocity(trundle_world *world, int i, double vx, double vy, double spin,
                                            trundle_error *error);
 
-/* The touching contacts, sorted by (a, b), disk-disk first. Returns how many there are, and writes the first `room` of them. -1: memory
- * is short. touch may be NULL if room is 0. */
+/* The touching contacts, sorted by (a, b), disk-disk first. Returns how many there are, and writes the first `room` of
+ * them. -1: memory is short. touch may be NULL if room is 0. */
 TRUNDLE_API int trundle_world_contacts(trundle_world *world, trundle_touch *touch, int room, trundle_error *error);
 
 /* kind: biaxial, else TRUNDLE_BAD_CASE. */
@@ -111,8 +114,8 @@ TRUNDLE_API int trundle_world_biaxial(trundle_world *world, trundle_biaxial *sta
 
 typedef struct trundle_contact trundle_contact;
 
-/* Two disks, or with R1 = 0 a plane (body 1) and a disk. Densities give the masses for dashpots [kg/m^3]; m = density pi R^2. Normal of the
- * plane, towards the disk: nx, ny, of length 1; ignored for two disks. */
+/* Two disks, or with R1 = 0 a plane (body 1) and a disk. Densities give the masses for dashpots [kg/m^3]; m = density
+ * pi R^2. Normal of the plane, towards the disk: nx, ny, of length 1; ignored for two disks. */
 typedef struct trundle_pair {
     double R1, R2, density1, density2, nx, ny;
 } trundle_pair;
@@ -127,14 +130,14 @@ typedef struct trundle_force {
         torque2; /* about the centres: friction at its arm, and the moments of the rolling law. A plane has none: 0 */
 } trundle_force;
 
-/* laws: what stands in `contact: {...}` of a case: "k_n: 1 MPa, friction: dahlberg-alfredsson, mu: 0.3, k_t: 1 MPa, E_star: 1 GPa".
- * The contact starts without history. */
+/* laws: what stands in `contact: {...}` of a case: "k_n: 1 MPa, friction: dahlberg-alfredsson, mu: 0.3, k_t: 1 MPa,
+ * E_star: 1 GPa". The contact starts without history. */
 TRUNDLE_API trundle_contact *trundle_contact_new(const char *laws, const trundle_pair *pair, trundle_error *error);
 TRUNDLE_API void trundle_contact_free(trundle_contact *contact);
 
-/* One step of dt > 0 that ends in this state: history moves on by dt, and the forces are those of the end. Positions and velocities
- * are those that your code has when it computes forces. A contact that is open gives 0 and forgets its history. TRUNDLE_NUMERICAL: a
- * number is not finite. */
+/* One step of dt > 0 that ends in this state: history moves on by dt, and the forces are those of the end. Positions
+ * and velocities are those that your code has when it computes forces. A contact that is open gives 0 and forgets its
+ * history. TRUNDLE_NUMERICAL: a number is not finite. */
 TRUNDLE_API int trundle_contact_step(trundle_contact *contact, double dt, const trundle_body *one,
                                      const trundle_body *two, trundle_force *force, trundle_error *error);
 
@@ -152,8 +155,8 @@ typedef enum trundle_velocity { TRUNDLE_ROLLING, TRUNDLE_SLIDING } trundle_veloc
 TRUNDLE_API int trundle_definition_count(trundle_velocity kind);
 TRUNDLE_API const char *trundle_definition_name(trundle_velocity kind, int i);
 
-/* Definition i of two disks that move like this [m/s; an angle by author: rad/s]. NaN if there is no such definition, or the centres
- * coincide. */
+/* Definition i of two disks that move like this [m/s; an angle by author: rad/s]. NaN if there is no such definition,
+ * or the centres coincide. */
 TRUNDLE_API double trundle_definition_value(trundle_velocity kind, int i, double R1, double R2, const trundle_body *one,
                                             const trundle_body *two);
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* One contact of the public face: a world of two bodies that the caller moves. So a contact has the passes, the histories and the bits
- * of an assembly. Its list is made once, while the bodies touch, and is never renewed: there is one pair. */
+/* One contact of the public face: a world of two bodies that the caller moves. So a contact has the passes, the
+ * histories and the bits of an assembly. Its list is made once, while the bodies touch, and is never renewed: there is
+ * one pair. */
 #include "api/api.h"
 #include "base/alloc.h"
 #include "core/step.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* A run has a number. The caller writes what is to be done, then the number: who reads the new number sees the work. A share is
- * taken by setting its own number from that of the run before to that of this run, which only one thread can do. A thread that
- * comes late fails at that, and does not look at the work, which may be of the next run already. */
+/* A run has a number. The caller writes what is to be done, then the number: who reads the new number sees the work. A
+ * share is taken by setting its own number from that of the run before to that of this run, which only one thread can
+ * do. A thread that comes late fails at that, and does not look at the work, which may be of the next run already. */
 #include "base/threads.h"
 
 #include "base/alloc.h"
@@ -123,7 +123,8 @@ tr_threads *tr_threads_new(int n, tr_status *st) {
     pthread_cond_init(&t->begun, NULL), pthread_cond_init(&t->done, NULL);
     int error = make_threads(t);
     if (!error) return t;
-    tr_status_fail(st, TR_FILE, "error: cannot make %d threads: %s; the system allows %d now", n, strerror(error), t->made + 1);
+    tr_status_fail(st, TR_FILE, "error: cannot make %d threads: %s; the system allows %d now", n, strerror(error),
+                   t->made + 1);
     tr_threads_free(t);
     return NULL;
 }

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Threads that share work. They are made once, and wait between two pieces of work.
  *
- * Work is cut into as many shares as there are threads. Thread k takes share k, so that the data of a share stay near one
- * processor. A thread that is done takes any share that nobody has begun: where another program holds a processor, work does
- * not wait for the thread that cannot run. Results must therefore not depend on which thread does a share.
+ * Work is cut into as many shares as there are threads. Thread k takes share k, so that the data of a share stay near
+ * one processor. A thread that is done takes any share that nobody has begun: where another program holds a processor,
+ * work does not wait for the thread that cannot run. Results must therefore not depend on which thread does a share.
  *
  * WAITING. A thread first looks again and again, for some microseconds, and then sleeps. It sleeps at once where there
  * are more threads than processors. */
@@ -18,8 +18,8 @@ enum { TR_MOST_THREADS = 1024 };
 
 typedef struct tr_threads tr_threads;
 
-/* n threads (1 to TR_MOST_THREADS), the caller among them. Signals go to the caller: all are blocked in the others. NULL and
- * TR_FILE in st when memory or the threads of the system are short. */
+/* n threads (1 to TR_MOST_THREADS), the caller among them. Signals go to the caller: all are blocked in the others.
+ * NULL and TR_FILE in st when memory or the threads of the system are short. */
 tr_threads *tr_threads_new(int n, tr_status *st);
 
 /* Ends the other threads before it returns. May be NULL. */

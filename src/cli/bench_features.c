@@ -62,7 +62,8 @@ static void add_laws(table *t, const tr_bench_arguments *a, const char *slot, co
     }
 }
 
-/* Creep by the rolling of Wang, beside his moment: the case of `make creep`. Nothing where the case has no E_star: told above. */
+/* Creep by the rolling of Wang, beside his moment: the case of `make creep`. Nothing where the case has no E_star: told
+ * above. */
 static void add_wang_creep(table *t, const tr_bench_arguments *a) {
     static const char *const set[] = {"contact.friction=dahlberg-alfredsson", "contact.creep_roll=wang"};
     tr_status why = {0};

@@ -11,7 +11,8 @@ bool tr_cli_bench_packing(const tr_bench_arguments *a, tr_status *st) {
     tr_scene scene = {0};
     tr_bench_state state[2];
     double us;
-    bool ok = tr_cli_bench_case(a, NULL, 0, &scene, st) && tr_bench_packing(&scene, a->threads, a->packing, state, &us, st);
+    bool ok =
+        tr_cli_bench_case(a, NULL, 0, &scene, st) && tr_bench_packing(&scene, a->threads, a->packing, state, &us, st);
     int disks = scene.sample.disks;
     tr_scene_free(&scene);
     if (!ok) return false;

@@ -17,8 +17,9 @@
  * Stability is meant of a symmetric K. Friction of a contact that slides follows its normal force, and K is not symmetric: such
  * networks may flutter in the exact equations, at any step, and the bound speaks of what the step adds; trundle verify sliding
  * tells the one from the other. Likewise a rolling velocity that is not conjugate to its moments (wang-spring with another one than
- * wang) lets some packings grow at any step; trundle verify not-conjugate says how many. conjugate-spring is symmetric while
- * the case of its rolling velocity lasts: the bound is that of its stiffest case, and does not cover switching between cases.
+ * wang) lets some packings grow at any step; trundle verify not-conjugate says how many. conjugate-spring is symmetric
+ * while the case of its rolling velocity lasts: the bound is that of its stiffest case, and does not cover switching
+ * between cases.
  *
  * Never above the exact bound; equal to it on a chain, 0.7-0.9 of it in a packing. Gershgorin's circles, the usual
  * choice, mix units of force and torque and give as little as 0.02.

@@ -180,7 +180,7 @@ typedef struct tr_world {
     bool spent;        /* tr_step_advance has used the forces, and left 0 */
     bool fresh;        /* laws were just set: nothing has moved since the histories were zero */
     bool stale;        /* the list no longer holds every pair that may touch */
-    int alone_to;      /* up to so many disks a world has one thread: more would wait longer for each other than they work */
+    int alone_to;      /* up to so many disks one thread works alone: more would wait longer than they work */
     int64_t searches, refreshes;
     tr_crush crush; /* what tr_step_forces has failed for, if it was that */
 } tr_world;
@@ -215,9 +215,9 @@ tr_pair_bodies tr_world_pair(const tr_world *world, const tr_group *group, int a
 /* What the law of a slot sees. */
 tr_law_data tr_group_data(const tr_group *group, const tr_slot *slot);
 
-/* The world gets n threads (0: one) that share the work of its steps, and keeps them until it is freed or gets others. A new world has one
- * thread, and up to alone_to disks that does not change; tr_world_init sets this to TR_FEW_DISKS. TR_FILE: the system has no
- * threads or memory left. */
+/* The world gets n threads (0: one) that share the work of its steps, and keeps them until it is freed or gets others.
+ * A new world has one thread, and up to alone_to disks that does not change; tr_world_init sets this to TR_FEW_DISKS.
+ * TR_FILE: the system has no threads or memory left. */
 enum { TR_FEW_DISKS = 4000 };
 bool tr_world_set_threads(tr_world *world, int n, tr_status *st);
 int tr_world_threads(const tr_world *world);

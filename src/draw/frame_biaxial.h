@@ -5,7 +5,8 @@
 
 #include "draw/draw.h"
 
-/* Biaxial test: world->wall is bottom, top, left, right, or there is a periodic cell. A wall or side with mass is drawn as loaded, one without as driven. */
+/* Biaxial test: world->wall is bottom, top, left, right, or there is a periodic cell. A wall or side with mass is drawn
+ * as loaded, one without as driven. */
 void tr_draw_biaxial(tr_canvas *canvas, const tr_view *view);
 
 enum { TR_INSET_NUMBERS = 96 };

@@ -173,7 +173,8 @@ static void draw_scale(const tr_patch_plot *p, double x, double y, double width)
     const double box = 1.6 * p->text, high = 0.75 * p->text, ramp = 3 * p->text;
     char label[48] = "no slip", number[24];
     tr_patch_plot_hatch(p->cr, x, y - high, box, high);
-    double at = x + box + 8 + tr_pen_text(p->cr, (tr_text){.x = x + box + 8, .y = y, .size = p->text}, "stick") + p->text;
+    double at =
+        x + box + 8 + tr_pen_text(p->cr, (tr_text){.x = x + box + 8, .y = y, .size = p->text}, "stick") + p->text;
     for (int k = 0; p->slip_range > 0 && k < (int)ramp; k++) {
         cairo_rectangle(p->cr, nearbyint(at) + k, y - high, 1, high);
         tr_pen_rgb(p->cr, tr_palette_sequential(k / ramp));

@@ -78,7 +78,8 @@ typedef void tr_pass_run(tr_tile *tile, const tr_law_data *data);
  * where the motion of the centre is given, an inertia where the spin is; a wall has both. on_path: the driver of kind:
  * contact gives both spins, whatever the inertias. z: contacts that 1 and 2 may have, 0 counts as 1; for tr_law.pair
  * alone. For tr_law.stiffness of friction and rolling laws also the greatest overlap to expect [m], with the normal force
- * [N/m] and stiffness [Pa] there. p1, p2: for tr_law.stiffness of laws with TR_NEEDS_PARTIALS, dV_r/ds1 and dV_r/ds2. */
+ * [N/m] and stiffness [Pa] there. p1, p2: for tr_law.stiffness of laws with TR_NEEDS_PARTIALS, dV_r/ds1 and
+ * dV_r/ds2. */
 typedef struct tr_pair_bodies {
     double R1, R2, m1, m2, I1, I2;
     double delta, f_n, k_n;
@@ -143,12 +144,12 @@ typedef enum tr_claims {
     TR_ENERGY_CLOSED = 8,    /* no closed cycle gains energy from it, at constant or changing normal force */
 } tr_claims;
 
-/* Where a contact slips at a given Q, for pictures: of 2a the share 1 - sqrt(1 - q), spheres of a 1 - (1 - q)^(1/3), with
- * q = |Q|/(mu P). */
+/* Where a contact slips at a given Q, for pictures: of 2a the share 1 - sqrt(1 - q), spheres of a 1 - (1 - q)^(1/3),
+ * with q = |Q|/(mu P). */
 typedef enum tr_slip {
     TR_SLIPS_WHOLE,    /* the law knows no width: all of it at q = 1, else nothing */
     TR_SLIPS_AT_ENDS,     /* at both ends, as if loaded from rest [Cattaneo1938] */
-    TR_SLIPS_TRAILING, /* where material leaves, as in steady rolling with this Q [Carter1926]; at both ends without rolling */
+    TR_SLIPS_TRAILING, /* where material leaves, as in steady rolling with this Q [Carter1926]; both ends at rest */
 } tr_slip;
 
 struct tr_law {
@@ -199,7 +200,8 @@ double *tr_law_value(const tr_law *law, const double *par, const char *key);
 const int *tr_law_count(const tr_law *law, const double *par, const char *key); /* the same of a whole number */
 const int *tr_law_choice(const tr_law *law, const double *par, const char *key); /* the same of a choice */
 
-/* What a definition claims. tests/laws/test_definitions.c shows each claim to hold, and to fail where it is not made. */
+/* What a definition claims. tests/laws/test_definitions.c shows each claim to hold, and to fail where it is not
+ * made. */
 typedef enum tr_definition_claims {
     TR_DEFINES_OBJECTIVE = 1, /* the same for an observer who moves or turns: a function of s1 and s2 */
     TR_DEFINES_ANGLE = 2,     /* in rad/s; the others are in m/s */

@@ -15,15 +15,13 @@
  * differs: Wang does not print model 2; "zero when the objective velocities have different signs" is all that is said,
  * so both readings are offered. At a wall wang gives s2 = -R2 w.
  */
-#include "base/vector.h"
-#include "laws/law.h"
+#include "laws/velocity_rows.h"
 
 #include <math.h>
 
 #define SAME_WAY (s1 * s2 > 0)
 #define FIRST_IS_SLOWER (fabs(s1) < fabs(s2))
 
-/* X(function, name, column of `trundle measures`, head of its card, claims, source, formula, V, dV/ds1, dV/ds2) */
 #define IN_SCENES(X)                                                                                                   \
     X(wang, "wang", "Vr_wang", "\nwang", TR_DEFINES_OBJECTIVE, "[Wang2015 eq. 11]",                                    \
       "R1R2/(R1+R2) (w1-w2): what a pure pair of moments does work on (= luding, jiang)",                              \
@@ -46,34 +44,15 @@
     X(kuhn, "kuhn", "Vroll_kuhn", NULL, TR_DEFINES_OBJECTIVE, "[Kuhn2014 eq. 5]",                                      \
       "-(s1+s2)/2: material through the contact, along t", -0.5 * (s1 + s2), -0.5, -0.5)
 
+#define OUT v_r
 /* What a formula may use, of contact i. */
 #define LANE(tile, i)                                                                                                  \
     const double s1 = (tile)->s1[i], s2 = (tile)->s2[i], g1 = (tile)->g1[i], R2 = (tile)->R2[i], w1 = (tile)->w1[i],   \
                  w2 = (tile)->w2[i];                                                                                   \
     (void)s1, (void)s2, (void)g1, (void)R2, (void)w1, (void)w2
 
-#define PASSES(function, name, column, head, claims, source, formula, V, V1, V2)                                       \
-    TR_VECTOR static void function(tr_tile *restrict tile, const tr_law_data *data) {                                  \
-        (void)data;                                                                                                    \
-        for (int i = 0; i < tile->n; i++) {                                                                            \
-            LANE(tile, i);                                                                                             \
-            tile->v_r[i] = V;                                                                                          \
-        }                                                                                                              \
-    }                                                                                                                  \
-    TR_VECTOR static void function##_partials(tr_tile *restrict tile, const tr_law_data *data) {                       \
-        (void)data;                                                                                                    \
-        for (int i = 0; i < tile->n; i++) {                                                                            \
-            LANE(tile, i);                                                                                             \
-            tile->v_r[i] = V, tile->p1[i] = V1, tile->p2[i] = V2;                                                      \
-        }                                                                                                              \
-    }
 IN_SCENES(PASSES)
 ONLY_MEASURED(PASSES)
-
-#define ROW(function, name, column, head, claims, source, formula, V, V1, V2)                                          \
-    {name, column, head, source, formula, claims, function, function##_partials},
-#define ONE(...) +1
-#define CHOICE(function, name, ...) "|" name
 
 const tr_velocity_measure tr_rolling_velocities[] = {IN_SCENES(ROW) ONLY_MEASURED(ROW)};
 const int tr_n_rolling_velocities = IN_SCENES(ONE);

@@ -13,10 +13,8 @@
  *   full-radius = s1 - s2 + delta betadot: for a rigid rotation w it slides by w times the overlap
  *   midpoint    arms R - delta/2, at a wall R2 - delta
  */
-#include "base/vector.h"
-#include "laws/law.h"
+#include "laws/velocity_rows.h"
 
-/* X(function, name, column of `trundle measures`, head of its card, claims, source, formula, V, dV/ds1, dV/ds2) */
 #define RECORDED(X)                                                                                                    \
     X(wang, "wang", "Vs_wang", "\nwang", TR_DEFINES_OBJECTIVE, "[Wang2015 eq. 12] with arms",                          \
       "his eq. 12 with the arms R |X21|/(R1+R2)", (s1 - s2) * (L / (R1 + R2)), L / (R1 + R2), -(L / (R1 + R2)))        \
@@ -33,6 +31,7 @@
     X(jiang, "jiang", "Us_jiang", NULL, TR_DEFINES_OBJECTIVE, "[Wang2015 eq. 27]", "(s1-s2)/2: = iwashita-oda",        \
       0.5 * (s1 - s2), 0.5, -0.5)
 
+#define OUT v_s
 /* What a formula may use, of contact i. */
 #define LANE(tile, i)                                                                                                  \
     const double s1 = (tile)->s1[i], s2 = (tile)->s2[i], g1 = (tile)->g1[i], R1 = (tile)->R1[i], R2 = (tile)->R2[i],   \
@@ -41,27 +40,8 @@
                  lost = g1 < 1 ? 0.5 * (tile)->delta[i] : (tile)->delta[i];                                            \
     (void)s1, (void)s2, (void)g1, (void)R1, (void)R2, (void)w1, (void)w2, (void)L, (void)Vt, (void)lost
 
-#define PASSES(function, name, column, head, claims, source, formula, V, V1, V2)                                       \
-    TR_VECTOR static void function(tr_tile *restrict tile, const tr_law_data *data) {                                  \
-        (void)data;                                                                                                    \
-        for (int i = 0; i < tile->n; i++) {                                                                            \
-            LANE(tile, i);                                                                                             \
-            tile->v_s[i] = V;                                                                                          \
-        }                                                                                                              \
-    }                                                                                                                  \
-    TR_VECTOR static void function##_partials(tr_tile *restrict tile, const tr_law_data *data) {                       \
-        (void)data;                                                                                                    \
-        for (int i = 0; i < tile->n; i++) {                                                                            \
-            LANE(tile, i);                                                                                             \
-            tile->v_s[i] = V, tile->p1[i] = V1, tile->p2[i] = V2;                                                      \
-        }                                                                                                              \
-    }
 RECORDED(PASSES)
 ONLY_MEASURED(PASSES)
-
-#define ROW(function, name, column, head, claims, source, formula, V, V1, V2)                                          \
-    {name, column, head, source, formula, claims, function, function##_partials},
-#define ONE(...) +1
 
 const tr_velocity_measure tr_sliding_velocities[] = {RECORDED(ROW) ONLY_MEASURED(ROW)};
 const int tr_n_sliding_velocities = RECORDED(ONE);

@@ -126,8 +126,8 @@ static bool keep(const char *part, const char *path, const char *end, size_t siz
     return code || tr_status_fail(st, TR_FILE, "error: cannot write %s: gnuplot left it unfinished", path);
 }
 
-/* Runs plot.gp, and names its two pictures. The names are made first: when memory is short, gnuplot does not start, and leaves
- * no parts. */
+/* Runs plot.gp, and names its two pictures. The names are made first: when memory is short, gnuplot does not start, and
+ * leaves no parts. */
 static bool draw(const char *dir, const char *stem, int *code, tr_status *st) {
     static const char svg_end[] = "</svg>\n\n", png_end[] = "IEND\xae\x42\x60\x82";
     char name[2][32], path[2][TR_PATH], *part[2] = {NULL};

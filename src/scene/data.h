@@ -13,7 +13,13 @@
 /* In the order of the choices of `kind:`. */
 typedef enum tr_kind { TR_KIND_BIAXIAL, TR_KIND_BODIES, TR_KIND_CONTACT, TR_KIND_PATCH } tr_kind;
 
-typedef enum tr_color { TR_COLOR_MOBILISATION, TR_COLOR_SLIDING, TR_COLOR_ROLLING, TR_COLOR_SLIP, TR_COLOR_SPIN } tr_color;
+typedef enum tr_color {
+    TR_COLOR_MOBILISATION,
+    TR_COLOR_SLIDING,
+    TR_COLOR_ROLLING,
+    TR_COLOR_SLIP,
+    TR_COLOR_SPIN
+} tr_color;
 
 enum { TR_MAX_LAWS = 32 }; /* items of `laws:` */
 enum { TR_LAW_PAR = 16 };  /* room for one law's parameter struct, in doubles */
@@ -59,8 +65,8 @@ typedef struct tr_scene_step {
     bool allow_unstable; /* run a dt above the bound all the same */
 } tr_scene_step;
 
-/* A contact by name: `17-42`, disks a < b; `wall0-3`, a = -1-w of wall w; `most-mobilised`, a = b: the one that uses the
- * largest part of its friction at the end of the run. */
+/* A contact by name: `17-42`, disks a < b; `wall0-3`, a = -1-w of wall w; `most-mobilised`, a = b: the one that uses
+ * the largest part of its friction at the end of the run. */
 typedef struct tr_scene_pick {
     int a, b;
 } tr_scene_pick;

@@ -171,8 +171,8 @@ static const tr_param output_bodies[] = {
 static const tr_param output_biaxial[] = {
     {"color", TR_CHOICE, TR_DIM_NUMBER, "", "mobilisation", 0, 0, "mobilisation|sliding|rolling|slip|spin",
      AT(color),
-     "what colours the contacts: |f_t|/(mu f_n), sliding or rolling velocity, the share of the width that slips; or the "
-     "disks: how far each has spun so far"},
+     "what colours the contacts: |f_t|/(mu f_n), sliding or rolling velocity, the share of the width that slips; or "
+     "the disks: how far each has spun so far"},
     {"energy", TR_SWITCH, TR_DIM_NUMBER, "", "yes", 0, 0, NULL, AT(energy), "keep the energy ledger"},
     {"path_rows", TR_COUNT, TR_DIM_NUMBER, "", "0", 0, 1e6, NULL, AT(path_rows),
      "instants at which paths.csv has the path of all contacts, for trundle replay; 0: no such file"},

@@ -17,8 +17,8 @@ typedef enum tr_when {
     TR_SLOPE    /* the least slope on which the function gives a distance; found in runs of its own */
 } tr_when;
 
-/* Choice, name, dimension TR_DIM_, unit "disk|sphere", whose, when, function in study/checks.c. The order is that of the
- * choices of `what:`. */
+/* Choice, name, dimension TR_DIM_, unit "disk|sphere", whose, when, function in study/checks.c. The order is that of
+ * the choices of `what:`. */
 #define TR_WHATS(ROW)                                                                                                  \
     ROW(TR_SLIDING_VELOCITY, "sliding-velocity", SPEED, "m/s", TR_OF_CONTACT, TR_AT_TIME, sliding_velocity)            \
     ROW(TR_ROLLING_VELOCITY, "rolling-velocity", SPEED, "m/s", TR_OF_CONTACT, TR_AT_TIME, rolling_velocity)            \

@@ -14,8 +14,8 @@ typedef struct tr_quartiles {
 
 tr_quartiles tr_bench_quartiles(const double *values, int n);
 
-/* Time of this thread, so that a busy machine disturbs less [s]; of the wall where threads share the work of the world, for
- * waiting counts. */
+/* Time of this thread, so that a busy machine disturbs less [s]; of the wall where threads share the work of the world,
+ * for waiting counts. */
 double tr_bench_clock(const tr_world *world);
 
 typedef struct tr_bench_report {

@@ -13,8 +13,8 @@ typedef struct tr_bench_state {
     double xx, yy;            /* sums of force times branch over the contacts: stress times area [N] */
 } tr_bench_state;
 
-/* Writes dir/packing.data and dir/packing.lmp for LAMMPS, then takes the steps: the state after either part, and the time of a
- * step of the second [us]. */
+/* Writes dir/packing.data and dir/packing.lmp for LAMMPS, then takes the steps: the state after either part, and the
+ * time of a step of the second [us]. */
 bool tr_bench_packing(const tr_scene *scene, int threads, const char *dir, tr_bench_state state[2], double *us,
                       tr_status *st);
 

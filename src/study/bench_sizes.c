@@ -101,8 +101,8 @@ static bool run_cycle(subject *s, int k, tr_bench_size *r, tr_status *st) {
     tr_world *world = &s->b.world;
     int64_t searches = world->searches, refreshes = world->refreshes, updates = world->contact_updates, last = updates,
             steps = 0;
-    double listed = world->group[0].n + world->group[1].n, renewing = s->search, start = tr_bench_clock(world) - s->search,
-           end = start;
+    double listed = world->group[0].n + world->group[1].n, renewing = s->search,
+           start = tr_bench_clock(world) - s->search, end = start;
     do {
         tr_step_advance(world);
         steps++;

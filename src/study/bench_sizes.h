@@ -15,16 +15,16 @@ typedef struct tr_bench_size {
     double bytes_per_disk;
 } tr_bench_size;
 
-/* Shears samples of sizes[].disks in turn, a cycle of each: from one search of all pairs to the next, so that a cycle has its
- * share of everything that a long run does. Up to 1000 disks the sample is that of the scene; above, a multiple of 1000, it is
- * tiled, see there. */
+/* Shears samples of sizes[].disks in turn, a cycle of each: from one search of all pairs to the next, so that a cycle
+ * has its share of everything that a long run does. Up to 1000 disks the sample is that of the scene; above, a multiple
+ * of 1000, it is tiled, see there. */
 bool tr_bench_sizes(const tr_scene *scene, int threads, tr_bench_size *sizes, int n, tr_status *st);
 
 /* Until it is at rest. */
 bool tr_bench_compact(tr_biaxial *b, tr_status *st);
 
-/* Replaces a loose sample by columns x rows images of a compacted one, as nearly square as can be: at rest, no laws set. Its size
- * is a multiple of that of the tile. */
+/* Replaces a loose sample by columns x rows images of a compacted one, as nearly square as can be: at rest, no laws
+ * set. Its size is a multiple of that of the tile. */
 bool tr_bench_tile(tr_biaxial *to, const tr_biaxial *tile, tr_status *st);
 
 /* s of y = c x^s, by least squares of the logarithms. */

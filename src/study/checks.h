@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* The numbers that a scene of bodies measures and compares with closed forms: `checks:` of a case.
  *
- * TR_WHATS of scene/what.h lists them. A mean over a time is that of the steps in it; an event is found between two steps by a
- * straight line. The two thresholds are found by bisection: the scene runs on slopes of its own, from rest, until a slope
- * that holds and one that does not are less than 0.05 degrees apart. A run on a slope takes four times as long as the scene:
- * the springs are loaded at once, and what they swing beyond their load must have come to rest. */
+ * TR_WHATS of scene/what.h lists them. A mean over a time is that of the steps in it; an event is found between two
+ * steps by a straight line. The two thresholds are found by bisection: the scene runs on slopes of its own, from rest,
+ * until a slope that holds and one that does not are less than 0.05 degrees apart. A run on a slope takes four times as
+ * long as the scene: the springs are loaded at once, and what they swing beyond their load must have come to rest. */
 #ifndef TR_CHECKS_H
 #define TR_CHECKS_H
 

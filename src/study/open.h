@@ -7,8 +7,8 @@
 #include "core/world.h"
 #include "study/report.h"
 
-/* Empties the directory and writes the resolved case into it; or, with options->resume, opens the checkpoint that is there:
- * then c->loading, and nothing is touched. c NULL: this kind has none. */
+/* Empties the directory and writes the resolved case into it; or, with options->resume, opens the checkpoint that is
+ * there: then c->loading, and nothing is touched. c NULL: this kind has none. */
 bool tr_run_open(const tr_scene *scene, const tr_run_options *options, tr_checkpoint *c, tr_run_report *report,
                  tr_status *st);
 

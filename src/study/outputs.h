@@ -29,7 +29,8 @@ void tr_outputs_checkpoint(tr_outputs *o, tr_checkpoint *c);
 
 typedef void tr_draw(tr_canvas *canvas, const tr_view *view);
 
-/* total: steps of the run. resume: the files go on. When they are too few for all that is asked, a note says how much less there will be. */
+/* total: steps of the run. resume: the files go on. When they are too few for all that is asked, a note says how much
+ * less there will be. */
 bool tr_outputs_open(tr_outputs *o, const tr_scene *scene, const tr_run_options *options, const char *film,
                      int64_t total, bool resume, tr_run_report *report, tr_status *st);
 /* What is due at step k of total: rows and frames are spread evenly from 0 to the end, lists of contacts end at the

@@ -16,7 +16,8 @@ typedef struct spread {
     double s[2]; /* of the peak and of the residual of sin phi */
 } spread;
 
-/* Measured by `make spread` (figures/spread/spread.sh), version 0.3.0; those of coulomb-spring with 0.2.0 too: the same. */
+/* Measured by `make spread` (figures/spread/spread.sh), version 0.3.0; those of coulomb-spring with 0.2.0 too: the
+ * same. */
 static const spread rows[] = {
     {100, 0, "coulomb-spring", 1e-3, 64, {0.03621, 0.05756}},
     {100, 0, "coulomb-spring", 3e-3, 64, {0.03981, 0.05040}},

@@ -31,7 +31,8 @@ static const char text[] =
     "output: {energy: no}\n";
 
 #define CREEP                                                                                                          \
-    "contact.friction=dahlberg-alfredsson", "contact.creep_roll=wang", "contact.E_star=2*3.6*k_n/pi", "contact.k_r=0.5*k_n"
+    "contact.friction=dahlberg-alfredsson", "contact.creep_roll=wang", "contact.E_star=2*3.6*k_n/pi",                  \
+        "contact.k_r=0.5*k_n"
 
 enum { SETS = 6 };
 
@@ -160,8 +161,8 @@ bool tr_precision_biaxial(tr_verify *v, tr_status *st) {
     for (int seed = 0; seed < some[all(v)]; seed++)
         for (int i = 0; i < N; i++)
             if (!tr_verify_go_on(v, st) || !test(&variants[i], seed, st)) return false;
-    bool ok =
-        add_row(v, &variants[MU_R_0], NULL, 0.28, 0.071, 0.009, "three standard errors, and the last digit of 0.28", st);
+    bool ok = add_row(v, &variants[MU_R_0], NULL, 0.28, 0.071, 0.009,
+                      "three standard errors, and the last digit of 0.28", st);
     for (int i = 0; i < N && ok; i++) {
         if (i == BASE || i == MU_R_0 || i == WITH_CREEP) continue;
         const variant *base = &variants[i < WITH_CREEP ? BASE : WITH_CREEP];

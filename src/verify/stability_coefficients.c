@@ -47,7 +47,8 @@ static const variant coefficients[] = {
 
 static const variant thresholds[] = {
     {"tan(alpha) = mu_r, wang-spring", {"contact.rolling=wang-spring", AT_MU_R}},
-    {"tan(alpha) = mu_r, conjugate-spring of bagi-kuhn", {"contact.rolling=conjugate-spring", "contact.rolling_velocity=bagi-kuhn", AT_MU_R}},
+    {"tan(alpha) = mu_r, conjugate-spring of bagi-kuhn",
+     {"contact.rolling=conjugate-spring", "contact.rolling_velocity=bagi-kuhn", AT_MU_R}},
     {"tan(alpha) = mu_r, star-force-proportional", {"contact.rolling=star-force-proportional", AT_MU_R}},
     {"tan(alpha) = mu_r, star-constant-torque", {"contact.rolling=star-constant-torque", "contact.R_eq=half", AT_MU_R}},
     {"tan(alpha) = mu_r, star-displacement-damping",

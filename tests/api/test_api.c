@@ -16,7 +16,8 @@ static trundle_contact *contact_of(const char *laws, const trundle_pair *p) {
     return c;
 }
 
-/* Overlap 1e-5 m, sliding 1e-6 m in ten steps: f_n = k_n delta, Q = k_t u on body 2 against its motion, torques by the arms. */
+/* Overlap 1e-5 m, sliding 1e-6 m in ten steps: f_n = k_n delta, Q = k_t u on body 2 against its motion, torques by the
+ * arms. */
 static void spring_by_hand(void **state) {
     (void)state;
     trundle_contact *c = contact_of(spring, &pair);
@@ -76,7 +77,8 @@ static void plane_turned(void **state) {
     trundle_contact_free(a), trundle_contact_free(b);
 }
 
-/* Every law of friction and rolling: two bodies of a world, and a contact that is led along their motion, have the same bits. */
+/* Every law of friction and rolling: two bodies of a world, and a contact that is led along their motion, have the same
+ * bits. */
 static void as_in_a_world(void **state) {
     (void)state;
     static const char *const laws[] = {

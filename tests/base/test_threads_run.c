@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The threads themselves, without physics: each share is done once and before the run returns, whatever the number of threads and of
- * processors; nothing is left of threads that were freed; signals go to the caller. */
+/* The threads themselves, without physics: each share is done once and before the run returns, whatever the number of
+ * threads and of processors; nothing is left of threads that were freed; signals go to the caller. */
 #include "assert_close.h"
 #include "base/threads.h"
 #include <dirent.h>
@@ -35,7 +35,8 @@ static void wait_for_living(int n) {
     assert_int_equal(living(), n);
 }
 
-/* Plain numbers: a run that returned too early, or a share that is done twice at a time, is a race that ThreadSanitizer sees too. */
+/* Plain numbers: a run that returned too early, or a share that is done twice at a time, is a race that ThreadSanitizer
+ * sees too. */
 typedef struct counted {
     long done[MOST], seen, slow;
 } counted;
@@ -148,7 +149,7 @@ static void signals_go_to_the_caller(void **state) {
     sigaction(SIGUSR1, &action, &old);
     tr_threads *threads = new_threads(4);
     pthread_sigmask(SIG_SETMASK, NULL, &mask[1]);
-    assert_int_equal(sigismember(&mask[0], SIGUSR1), sigismember(&mask[1], SIGUSR1)); /* the mask of the caller is as it was */
+    assert_int_equal(sigismember(&mask[0], SIGUSR1), sigismember(&mask[1], SIGUSR1)); /* the caller's is as it was */
     pthread_sigmask(SIG_BLOCK, &usr1, NULL);
     kill(getpid(), SIGUSR1); /* no thread may have it now: it waits */
     counted c = {.slow = -1};

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* What a scene leaves out has no history array, counted by hand: per contact coulomb-spring and wang-spring keep
- * one number each (Q, T), conjugate-spring three (T and two derivatives), star-force-proportional two; the ledger keeps two of the
- * normal force (dashpot, overlap), two of friction (Q, energy), two of rolling (moment, energy), of a law with a
- * force its couple too, and of one whose moments are not opposite the other moment. */
+ * one number each (Q, T), conjugate-spring three (T and two derivatives), star-force-proportional two; the ledger keeps
+ * two of the normal force (dashpot, overlap), two of friction (Q, energy), two of rolling (moment, energy), of a law
+ * with a force its couple too, and of one whose moments are not opposite the other moment. */
 #include "core/ledger.h"
 #include "core/worlds.h"
 

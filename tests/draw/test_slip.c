@@ -111,8 +111,9 @@ static unsigned pixel(const tr_canvas *canvas, int x, int y) {
     return (unsigned)p[2] << 16 | (unsigned)p[1] << 8 | p[0];
 }
 
-/* q = 0.75: half of the width slips, to the right where material leaves to the right. Under the mean force, disks of half the mean R_star
- * have a bar of their mean radius times sqrt(R_star/(R/2)): 0.02 sqrt(0.0075/0.01) = 0.0173 long. */
+/* q = 0.75: half of the width slips, to the right where material leaves to the right. Under the mean force, disks of
+ * half the mean R_star have a bar of their mean radius times sqrt(R_star/(R/2)): 0.02 sqrt(0.0075/0.01) = 0.0173
+ * long. */
 static void a_bar_in_two_colours(void **state) {
     (void)state;
     tr_status st = {0};

@@ -197,7 +197,8 @@ static png_bytep pixels_of(const file *f, png_image *image) {
 static bool same_pixels(const file *a, const file *b) {
     png_image of_a, of_b;
     png_bytep x = pixels_of(a, &of_a), y = pixels_of(b, &of_b);
-    bool equal = x && y && of_a.width == of_b.width && of_a.height == of_b.height && !memcmp(x, y, PNG_IMAGE_SIZE(of_a));
+    bool equal =
+        x && y && of_a.width == of_b.width && of_a.height == of_b.height && !memcmp(x, y, PNG_IMAGE_SIZE(of_a));
     free(x), free(y);
     return equal;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* A DEM code of one's own that takes its laws from libtrundle: a disk thrown along a floor, with rolling resistance and creep. The
- * loop, its integrator and its bodies are this program's; the contact is the library's. Prints x, vx, spin at the end, and the same
- * from the library's own world. */
+/* A DEM code of one's own that takes its laws from libtrundle: a disk thrown along a floor, with rolling resistance and
+ * creep. The loop, its integrator and its bodies are this program's; the contact is the library's. Prints x, vx, spin
+ * at the end, and the same from the library's own world. */
 #include <math.h>
 #include <stdio.h>
 #include <trundle.h>

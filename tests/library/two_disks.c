@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The whole of libtrundle in one page: two disks collide head on. With a linear spring and dashpot the ratio of the speeds after and
- * before is exp(-pi z/sqrt(1 - z^2)), z the damping ratio, if the force may pull at the end; here it may not, and the contact
- * ends earlier [Schwager2007]. Prints the measured and the exact ratio. */
+/* The whole of libtrundle in one page: two disks collide head on. With a linear spring and dashpot the ratio of the
+ * speeds after and before is exp(-pi z/sqrt(1 - z^2)), z the damping ratio, if the force may pull at the end; here it
+ * may not, and the contact ends earlier [Schwager2007]. Prints the measured and the exact ratio. */
 #include <math.h>
 #include <stdio.h>
 #include <trundle.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What is printed beside the inset of a biaxial test, frame by frame: Q/(mu P) by the law is that of the recorded path, and
- * the exact one that of `kind: patch` along this path. The linker gives tr_draw_biaxial to this test. */
+/* What is printed beside the inset of a biaxial test, frame by frame: Q/(mu P) by the law is that of the recorded path,
+ * and the exact one that of `kind: patch` along this path. The linker gives tr_draw_biaxial to this test. */
 #include "assert_close.h"
 #include "draw/frame.h"
 #include "draw/frame_biaxial.h"
@@ -117,7 +117,8 @@ static void printed_numbers(void **state) {
                       shown[k].law, law, after, shown[k].exact, q[i], q[j]);
         /* Between two rows, to half of the last digit. */
         assert_true(shown[k].law >= fmin(law, after) - 0.0051 && shown[k].law <= fmax(law, after) + 0.0051);
-        /* The inset is behind by 1/20 of Cattaneo's sliding at most, 0.05/Lambda = 0.014 of q; it has half as many elements: 1/60. */
+        /* The inset is behind by 1/20 of Cattaneo's sliding at most, 0.05/Lambda = 0.014 of q; it has half as many
+         * elements: 1/60. */
         assert_true(shown[k].exact >= fmin(q[i], q[j]) - 0.03 && shown[k].exact <= fmax(q[i], q[j]) + 0.03);
         differ = fmax(differ, fabs(shown[k].law - shown[k].exact));
         closed++;
