@@ -43,23 +43,8 @@ film() {
 # fact KEY: of the run of the film
 fact() { sed -n "s/.*\"$1\": \"*\([^\",]*\).*/\1/p" "$out/film/summary.json" | head -n 1; }
 
+begin 'Two kinds of rolling resistance' 'section td:nth-child(3), section td:nth-child(4), section th:first-child { white-space: nowrap; }'
 cat <<HTML
-<!DOCTYPE html>
-<!-- SPDX-License-Identifier: MIT -->
-<html lang="en">
-<head>
-<meta charset="utf-8"/>
-<meta name="viewport" content="width=device-width, initial-scale=1"/>
-<meta name="color-scheme" content="light dark"/>
-<title>Two kinds of rolling resistance</title>
-<style>
-$(cat "$here/../gallery/page.css")
-section { margin-bottom: 3rem; }
-td, th { text-align: left; white-space: normal; }
-section td:nth-child(3), section td:nth-child(4), section th:first-child { white-space: nowrap; }
-</style>
-</head>
-<body>
 <header>
 <h1>Two kinds of rolling resistance</h1>
 <p>A contact can resist rolling in two ways [Kuhn2014]. A <b>contact moment</b> acts against rolling: here the rolling spring of Wang,

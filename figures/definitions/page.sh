@@ -10,24 +10,9 @@ here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../gallery/tables.sh"
 detectable() { awk -F, -v what="$1" '$1 == what && $6 != "" {print $6; exit}' "$out/strength.csv"; }
 
+begin 'What is rolling? The definitions compared' 'td:nth-child(2) { white-space: nowrap; }
+thead th { min-width: 6rem; white-space: normal; vertical-align: bottom; }'
 cat <<HTML
-<!DOCTYPE html>
-<!-- SPDX-License-Identifier: MIT -->
-<html lang="en">
-<head>
-<meta charset="utf-8"/>
-<meta name="viewport" content="width=device-width, initial-scale=1"/>
-<meta name="color-scheme" content="light dark"/>
-<title>What is rolling? The definitions compared</title>
-<style>
-$(cat "$here/../gallery/page.css")
-section { margin-bottom: 3rem; }
-td, th { text-align: left; white-space: normal; }
-td:nth-child(2) { white-space: nowrap; }
-thead th { min-width: 6rem; white-space: normal; vertical-align: bottom; }
-</style>
-</head>
-<body>
 <header>
 <h1>What is rolling?</h1>
 <p>Definitions of the rolling velocity of a contact: $(echo "$names" | sed 's/ /, /g'). Computed by $version.</p>

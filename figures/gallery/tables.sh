@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Shell functions for the pages: sourced by them. They read from $out, the directory of the page, and write XML.
+# Shell functions for the pages: sourced by them. They read from $out, the directory of the page, and write XML. $here: the page's script.
 
 # table FILE CAPTION: a CSV as a table. A first cell that repeats is written once.
 table() {
@@ -20,4 +20,25 @@ table() {
 # picture FILE WORDS
 picture() {
     if [ -s "$out/$1" ]; then echo "<img class=\"picture\" src=\"$1\" alt=\"$2\"/>"; else echo '<p>No picture: gnuplot is not installed.</p>'; fi
+}
+# begin TITLE RULES: the head of a page. RULES: styles of its own
+begin() {
+    cat <<HTML
+<!DOCTYPE html>
+<!-- SPDX-License-Identifier: MIT -->
+<html lang="en">
+<head>
+<meta charset="utf-8"/>
+<meta name="viewport" content="width=device-width, initial-scale=1"/>
+<meta name="color-scheme" content="light dark"/>
+<title>$1</title>
+<style>
+$(cat "$here/../gallery/page.css")
+section { margin-bottom: 3rem; }
+td, th { text-align: left; white-space: normal; }
+$2
+</style>
+</head>
+<body>
+HTML
 }
