@@ -19,7 +19,8 @@ check '23' equals "$(t 0.05 23)" 2.0687
 check '120' equals "$(t 0.001 120)" 3.3735
 
 # ---- verdicts ----
-# points SEEDS CREEP SPREAD: creep changes all numbers by CREEP + SPREAD (-1)^seed, the contact moment by 0.1, without spread; all
+# points SEEDS CREEP SPREAD: creep changes all numbers by CREEP + SPREAD (-1)^seed, the contact moment by 0.1, without
+# spread; all
 # scatter from seed to seed.
 points() {
     for file in laws kuhn; do
@@ -36,19 +37,23 @@ points() {
 }
 told() { awk -F, -v q="$1" -v of="$2" -v by="$3" -v i="$4" '$1 == q && $2 == of && $3 == by {print $i}' "$work/effects.csv"; }
 points 4 0.01 0
-check 'a change of all seeds alike: raises' equals "$(told 'residual sin φ' creep 'contact moment' 9)" 'raises; within 0.02'
+check 'a change of all seeds alike: raises' \
+    equals "$(told 'residual sin φ' creep 'contact moment' 9)" 'raises; within 0.02'
 check 'beyond the margin' equals "$(told 'dilatancy e − e0' creep 'contact moment' 9)" raises
-check 'the contact moment' equals "$(told 'peak sin φ' 'contact moment' creep 5) $(told 'peak sin φ' 'contact moment' creep 9)" '0.1000 raises'
+check 'the contact moment' \
+    equals "$(told 'peak sin φ' 'contact moment' creep 5) $(told 'peak sin φ' 'contact moment' creep 9)" '0.1000 raises'
 check 'both less each alone' equals "$(told 'peak sin φ' together 'both less each alone' 5)" 0.0000
 check 'has no verdict' equals "$(told 'peak sin φ' together 'both less each alone' 9)" ''
-check 'creep by both kinds of rolling alike' equals "$(told 'peak sin φ' "Kuhn's rolling less Wang's" 'contact moment' 9)" 'within 0.02'
+check 'creep by both kinds of rolling alike' \
+    equals "$(told 'peak sin φ' "Kuhn's rolling less Wang's" 'contact moment' 9)" 'within 0.02'
 check '24 verdicts' equals "$(awk -F, 'NR > 1 && $9 != ""' "$work/effects.csv" | wc -l)" 24
 points 4 -0.03 0
 check 'downwards' equals "$(told 'residual sin φ' creep 'no contact moment' 9)" lowers
 # W = 0.001: s/sqrt(n) = 0.001 sqrt(4/3)/2. Of 3 degrees of freedom t(0.05) = 3.18245, t(0.05/24) = 9.8 (P = 0.00208).
 points 4 0.004 0.001
 check 'the 95 % interval of one' equals "$(told 'peak sin φ' creep 'contact moment' 6)" 0.0018
-check 'that of all is wider: undecided whether there is a change, but it is small' equals "$(told 'peak sin φ' creep 'contact moment' 9)" 'within 0.02'
+check 'that of all is wider: undecided whether there is a change, but it is small' \
+    equals "$(told 'peak sin φ' creep 'contact moment' 9)" 'within 0.02'
 points 4 0.004 0.01
 check 'undecided' equals "$(told 'peak sin φ' creep 'contact moment' 9)" undecided
 check 'one seed has no interval' not points 1 0.01 0

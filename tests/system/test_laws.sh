@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# What is written of laws and definitions outside of the registries: the tables in src/README.md name those that there are. A file
+# What is written of laws and definitions outside of the registries: the tables in src/README.md name those that there
+# are. A file
 # of a law that the registry lacks is told.
 set -u
 # shellcheck source=tests/system/tap.sh
@@ -25,7 +26,8 @@ check 'there are definitions' test "$(definitions | wc -l)" -ge 4
 check 'and rows of them' test "$(definitions_in_readme | wc -l)" -ge 4
 check 'src/README.md has no row of a definition that is gone' is_silent only_in_first definitions_in_readme definitions
 for law in $(laws | sort -u); do
-    check "trundle laws $law tells its claims" sh -c '"$0" laws "$1" | grep -q "claims, at the default options"' "$TRUNDLE" "$law"
+    check "trundle laws $law tells its claims" \
+        sh -c '"$0" laws "$1" | grep -q "claims, at the default options"' "$TRUNDLE" "$law"
 done
 
 # Every file of a law is in the registry; law_template.c is not called after a slot.

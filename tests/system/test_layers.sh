@@ -44,7 +44,8 @@ forbidden_includes() {
         }'
 }
 
-# A unit is NAME.c and NAME.h. Of lines "UNIT UNIT", where the first needs the second, those that lie on a circle. A circle
+# A unit is NAME.c and NAME.h. Of lines "UNIT UNIT", where the first needs the second, those that lie on a circle. A
+# circle
 # within a folder, that is: the arrows see the others.
 on_circles() {
     awk '

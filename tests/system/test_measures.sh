@@ -49,10 +49,13 @@ cells() {
 }
 all='wang bagi-kuhn alonsomin alonsomean torde-sillas wang iwash.oda alonso fullradii' # the second wang slides
 check 'gears roll for all' equals "$(cells PR 2 "$all")" '1.000 1.000 1.000 1.000 1.500 0 0 0 0'
-check 'marked: bagi-kuhn rolls in pure sliding of unequal disks' equals "$(cells PS 10 "$all")" '0 0.409* 0 0 0 1.000 0.500* 1.000 1.000'
+check 'marked: bagi-kuhn rolls in pure sliding of unequal disks' \
+    equals "$(cells PS 10 "$all")" '0 0.409* 0 0 0 1.000 0.500* 1.000 1.000'
 check 'not of equal ones' equals "$(cells PS 1 "$all")" '0 0 0 0 0 1.000 0.500* 1.000 1.000'
-check 'marked: full radii with overlap, for two observers' equals "$(cells 'RBR overlap' 1 "$all")" '0 0 0 0 0 0 0 0 0.050*!'
-check 'spinning in place' equals "$(cells 'floor: spinning' inf "$all")" '-1.000 -0.500* 0* 0* -1.000 1.000 0.500* 1.000 1.000'
+check 'marked: full radii with overlap, for two observers' \
+    equals "$(cells 'RBR overlap' 1 "$all")" '0 0 0 0 0 0 0 0 0.050*!'
+check 'spinning in place' \
+    equals "$(cells 'floor: spinning' inf "$all")" '-1.000 -0.500* 0* 0* -1.000 1.000 0.500* 1.000 1.000'
 check 'the card as CSV' gives 0 -o card.csv
 check '42 motions' equals "$(wc -l <card.csv)" 43
 check 'each as wide as the head' is_silent awk -F, 'NR == 1 {n = NF} NF != n || n < 35' card.csv

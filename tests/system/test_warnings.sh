@@ -72,7 +72,8 @@ for k in 0.79 1.21; do
     check "$k does not" run_gives 0 line.yaml --check --set laws.0.k_t="$k GPa"
     check 'told once, with the value that would' once "^note: laws.0: k_t = .* $misfit.*Give k_t: 1e+09 Pa"
 done
-check 'a spring without creep is such a contact too' run_gives 0 line.yaml --check --set laws.0.friction=coulomb-spring \
+check 'a spring without creep is such a contact too' \
+    run_gives 0 line.yaml --check --set laws.0.friction=coulomb-spring \
     --set laws.0.k_t='2 GPa'
 check 'told' once "Give k_t: 1e+09 Pa"
 check 'the run tells it before it starts, and is done' run_gives 0 line.yaml -o line --set laws.0.k_t='2 GPa'
@@ -103,7 +104,8 @@ CASE
 # P = 10 MPa 0.01 mm, R = 20/3 mm, d = 2 sqrt(R1 R2)/e
 value=$(fits 100 0.00666667 2e7 "$(awk 'BEGIN {print 2*sqrt(2e-4)/exp(1)}')")
 check 'bodies: the force of the overlap at the start' run_gives 0 pair.yaml --check
-check 'names pair and value' says stderr "of disks 0 and 1: the exact line contact has pi E_star/(2 ln(2d/a)) = $value Pa"
+check 'names pair and value' \
+    says stderr "of disks 0 and 1: the exact line contact has pi E_star/(2 ln(2d/a)) = $value Pa"
 check 'that value' run_gives 0 pair.yaml --check --set contact.k_t="$value Pa"
 check 'fits' silent
 check 'no contact, no force: nothing to fit' run_gives 0 pair.yaml --check --set disks.1.x='40 mm'
@@ -116,8 +118,10 @@ force=$(sed -n 's/.* under \([^ ]*\) N.*/\1/p' stderr)
 check 'Hertz with a depth: force, depth and value are one contact' awk -v P="$force" -v k="$value" 'BEGIN {
     pi = atan2(0, -1); E = 2e7; d = 2*P/(pi*E)*(pi*E/(2*k) + 0.5); exit !(d > 0.99e-5 && d < 1.01e-5) }'
 write_small_case creep.yaml
-check 'a sample' run_gives 0 creep.yaml --check --set contact.friction=dahlberg-alfredsson --set contact.E_star='400 MPa'
-check 'its default k_t, half of k_n, does not fit' says stderr "k_t = 8e+07 Pa $misfit at the mean force to expect in the shear"
+check 'a sample' \
+    run_gives 0 creep.yaml --check --set contact.friction=dahlberg-alfredsson --set contact.E_star='400 MPa'
+check 'its default k_t, half of k_n, does not fit' \
+    says stderr "k_t = 8e+07 Pa $misfit at the mean force to expect in the shear"
 value=$(fits "$(awk 'BEGIN {print 3*160e3*2.28e-3}')" 0.00057 4e8 "$(awk 'BEGIN {print 2*1.14e-3/exp(1)}')")
 # the mean radius of 60 disks is off by a few percent of 1.14 mm, so the value, by its logarithm, by 1 %
 said=$(sed -n 's/.*Give k_t: \([^ ]*\) Pa.*/\1/p' stderr)

@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Runs by two and three threads of more than 4000 disks, where they share the work, with frames, under ThreadSanitizer. A race ends one with
+# Runs by two and three threads of more than 4000 disks, where they share the work, with frames, under ThreadSanitizer.
+# A race ends one with
 # code 66 and is printed. The packing is made by the plain program: it takes ten times as long under the sanitizer.
 # usage: tests/tsan/run.sh TRUNDLE TRUNDLE-OF-THE-SANITIZER
 set -eu
