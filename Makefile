@@ -93,12 +93,12 @@ bands: packages-build ## 10,000 disks without and with rolling resistance: shear
 	@$(MAKE) --no-print-directory out/figures/shear-bands.png
 
 # Some 25 minutes of a processor. The table of src/study/spread.c anew, and whether its intervals are right. Goes on with what is there.
-spread: packages-build ## how strength scatters between seeds: the table behind a run's +- (20 min)
+spread: packages-build ## how strength scatters between seeds: the table for the +- of a run (25 min of a processor)
 	@$(MAKE) --no-print-directory build-all
 	figures/spread/spread.sh ./trundle out/spread
 
 # Many minutes. Goes on with what is there.
-replay: packages-build ## contacts of three assemblies through the exact half-plane: out/replay/ (10 min or more)
+replay: packages-build ## contacts of three assemblies compared with the exact half-plane: out/replay/ (10 min or more)
 	@$(MAKE) --no-print-directory build-all
 	figures/replay/replay.sh ./trundle out/replay
 
@@ -184,7 +184,7 @@ tsan: packages-tsan ## threads under the thread sanitizer
 
 # Each reader is fed with what libFuzzer makes of the inputs in tests/fuzz/corpus, for so many seconds.
 SECONDS ?= 60
-fuzz: packages-fuzz ## hostile input for every reader, SECONDS=60 each; finds stay in build/fuzz/found/
+fuzz: packages-fuzz ## hostile input for every reader, SECONDS=60 each; inputs that fail are kept in build/fuzz/found/
 	@$(MAKE) --no-print-directory run-fuzz BUILD=build/fuzz CC=clang CXX=clang++ \
 	    CFLAGS='-O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined'
 

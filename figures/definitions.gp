@@ -62,5 +62,5 @@ set bmargin at screen 0.005
 set tmargin at screen 0.095
 set key center center horizontal reverse Left samplen 2 spacing 1.1
 plot [0:1] [0:1] for [i = 1:7] NaN with lines linewidth width[i] linecolor rgb color[i] dashtype dash[i] \
-    title name[i].(i == 5 ? " × R_{min}/2" : "")
+    title (i == 7 ? 'conjugate bagi-kuhn' : name[i]).(i == 5 ? " × R_{min}/2" : "")
 unset multiplot

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* libtrundle: 2D disks with contact laws for friction, rolling resistance and creep.
  *
- *     cc mine.c $(pkg-config --cflags --libs trundle)
+ *     cc mine.c $(pkg-config --cflags --libs trundle)        -lm too, if it uses math.h
  *
  * Units are SI. Disks are cylinders: forces are per metre of length [N/m], moments [N], masses [kg/m]. Spheres that
  * move in the plane (`shape: sphere`) have N, N m and kg. Rotations are positive counter-clockwise.
@@ -79,9 +79,9 @@ typedef struct trundle_biaxial {
         void_ratio; /* stresses: means over the steps since the last call [Pa] */
 } trundle_biaxial;
 
-/* kind: bodies or biaxial, else TRUNDLE_BAD_CASE. A biaxial test is thrown and compacted here, which takes seconds. The
- * scene must outlive the world. The world stands at the start of the motion or of the shear, with the forces of that
- * instant. */
+/* kind: bodies or biaxial, else TRUNDLE_BAD_CASE. For kind: biaxial this call places and compacts the
+ * sample, which takes seconds. The scene must outlive the world. The world stands at the start of the motion or of the
+ * shear, with the forces of that instant. */
 TRUNDLE_API trundle_world *trundle_world_new(const trundle_scene *scene, trundle_error *error);
 TRUNDLE_API void trundle_world_free(trundle_world *world);
 
@@ -99,7 +99,7 @@ TRUNDLE_API int trundle_world_count(const trundle_world *world); /* of disks */
 /* i from 0 to count - 1, else TRUNDLE_BAD_CASE. */
 TRUNDLE_API int trundle_world_disk(const trundle_world *world, int i, trundle_disk *disk, trundle_error *error);
 
-/* A new velocity of disk i for the step to come. A driven or prescribed disk keeps it. */
+/* A new velocity of disk i for the step to come. What its motion prescribes stays as it is set. */
 TRUNDLE_API int trundle_world_set_velocity(trundle_world *world, int i, double vx, double vy, double spin,
                                            trundle_error *error);
 
@@ -115,7 +115,7 @@ TRUNDLE_API int trundle_world_biaxial(trundle_world *world, trundle_biaxial *sta
 typedef struct trundle_contact trundle_contact;
 
 /* Two disks, or with R1 = 0 a plane (body 1) and a disk. Densities give the masses for dashpots [kg/m^3]; m = density
- * pi R^2. Normal of the plane, towards the disk: nx, ny, of length 1; ignored for two disks. */
+ * pi R^2. Normal of the plane, towards the disk: nx, ny, of length 1; ignored for two disks. Laws for spheres are refused. */
 typedef struct trundle_pair {
     double R1, R2, density1, density2, nx, ny;
 } trundle_pair;
@@ -131,7 +131,8 @@ typedef struct trundle_force {
 } trundle_force;
 
 /* laws: what stands in `contact: {...}` of a case: "k_n: 1 MPa, friction: dahlberg-alfredsson, mu: 0.3, k_t: 1 MPa,
- * E_star: 1 GPa". The contact starts without history. */
+ * E_star: 2.5 MPa, rolling: none". Without `rolling` the law is wang-spring, which needs mu_r. The contact starts without
+ * history. */
 TRUNDLE_API trundle_contact *trundle_contact_new(const char *laws, const trundle_pair *pair, trundle_error *error);
 TRUNDLE_API void trundle_contact_free(trundle_contact *contact);
 

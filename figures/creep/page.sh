@@ -11,9 +11,9 @@ here=$(cd "$(dirname "$0")" && pwd)
 seeds=$(awk -F, 'NR == 2 {print $4}' "$out/effects.csv")
 # verdicts OF: the rows of effects.csv on one kind of rolling resistance
 verdicts() {
-    awk -F, -v of="$1" 'BEGIN { OFS = ","; print "number", "beside", "change ± 95 %", "± for all verdicts", "too little to matter", "verdict" }
+    awk -F, -v of="$1" 'BEGIN { OFS = ","; print "number", "beside", "verdict", "change ± 95 %", "± for all verdicts", "too little to matter" }
         function signed(v) { return (v > 0 ? "+" : "") v }
-        $2 == of { change = signed($5); sub(/-/, "−", change); print $1, $3, change " ± " $6, "± " $7, "± " $8, $9 }' "$out/effects.csv" >"$out/table.csv"
+        $2 == of { change = signed($5); sub(/-/, "−", change); print $1, $3, $9, change " ± " $6, "± " $7, "± " $8 }' "$out/effects.csv" >"$out/table.csv"
     table table.csv "$2"
     rm "$out/table.csv"
 }
@@ -43,23 +43,25 @@ film() {
 # fact KEY: of the run of the film
 fact() { sed -n "s/.*\"$1\": \"*\([^\",]*\).*/\1/p" "$out/film/summary.json" | head -n 1; }
 
-begin 'Two kinds of rolling resistance' 'section td:nth-child(3), section td:nth-child(4), section th:first-child { white-space: nowrap; }'
+begin 'Two kinds of rolling resistance' 'section td:nth-child(4), section td:nth-child(5) { white-space: nowrap; }'
 cat <<HTML
 <header>
 <h1>Two kinds of rolling resistance</h1>
 <p>A contact can resist rolling in two ways [Kuhn2014]. A <b>contact moment</b> acts against rolling: here the rolling spring of Wang,
-with μ_r. And rolling makes friction <b>creep</b>: the material that carries the traction leaves the contact, and the friction force fades.
-Here that is the friction of Dahlberg and Alfredsson with the creepage of Carter. What does each do to $(fact n_disks) disks in the biaxial test?</p>
+with μ_r. Second, friction <b>creeps</b> while a contact rolls: the material that carries the traction leaves the contact, and the friction force
+fades. The model here is the friction of Dahlberg and Alfredsson with Carter's creepage. What does each do to $(fact n_disks) disks in the biaxial test?</p>
 <p>Computed by $version: $seeds samples. All runs of a sample start from the same packing, and differences are taken sample by sample.</p>
 <h2>The short answer</h2>
 $(summary)
+<p>“within 0.02”: the change is smaller than 0.02. “undecided”: $seeds samples cannot tell; it does not mean “no effect”. The last section says more.</p>
 </header>
 <main>
 <section>
 <h2>The film</h2>
 $(film)
-<p>One sample with both. The bar across each contact is its width, much exaggerated. Dark: it sticks. Orange: it slips. The law has no width of
-its own: shown is the state of steady rolling with the same friction force [Carter1926], to which the law tends. The panel shows one contact from
+<p>One sample with both. The bar across each contact is its width, much exaggerated. Dark: it sticks. Orange: it slips. The law itself does not know
+where a contact slips. The picture shows steady rolling with the same friction force [Carter1926], the state to which the law tends. The walls have no
+friction, so contacts with a wall are orange. The panel shows one contact from
 the inside. That is the exact elastic contact, driven along the path that the contact took in the run. “law” is the friction of the run, “exact” that of the
 exact contact, both over μP. The sign tells the direction.</p>
 </section>
@@ -88,7 +90,7 @@ $(verdicts "Kuhn's rolling less Wang's" "What Kuhn's rolling in the creep change
 “undecided”: the interval leaves out neither 0 nor a change that matters. That is <b>not</b> “no effect”. The wider interval decides (thin line in the picture): it is
 such that all 24 verdicts hold together in 95 of 100 repetitions of the study (Bonferroni). The narrow one (thick line) is the 95 % interval of one difference alone.
 The rule was written before the runs: <code>figures/creep/effects.awk</code>.</p>
-<p>All numbers hold for this case: <code>cases/biaxial-creep.yaml</code>, I = $(fact inertial_number), κ = $(fact stiffness_ratio | sed 's/\.0$//'), 20 % strain. The residual is the mean over 15 to 20 %
+<p>All numbers hold for this case: <code>cases/biaxial-creep.yaml</code>, I = $(fact inertial_number), κ = k_n/pressure = $(fact stiffness_ratio | sed 's/\.0$//'), 20 % strain. The residual is the mean over 15 to 20 %
 strain. The dilatancy is the void ratio there less that at the start. The rolling share is Σ|V_r| / Σ(|V_r| + |V_s|) there, by Wang.</p>
 </section>
 </main>

@@ -38,15 +38,15 @@ V_r = A ω1 + B ω2 + C V_t they are −A T and −B T, with a force −C T alon
 k_r R1 Δθ1 u in the second.</p>
 $(table energy.csv 'Energy made in a closed cycle')
 <p>So a definition and its source of energy are two things. The paper's moments fit wang alone. In these two cycles conjugate moments make no
-energy for any of them. The program has them as a law for any definition, conjugate-spring. Here the rows with conjugate moments take the T of
-wang-spring and the moments above.
-Even so, alonso is not the rate of a length: after other closed cycles its spring may stay stretched.</p>
+energy for any of them. The law conjugate-spring has these moments for any definition. The rows “with conjugate moments” use the T of
+wang-spring and the moments above. For alonso, V_r is not the rate of a length: after other closed cycles its spring may stay stretched.</p>
 </section>
 <section>
 <h2>3. One contact</h2>
 <p>Disks of 5 and 10 mm, normal force 1 kN/m, bound of T 10 N/m. Each spring follows its own definition along one path: slide without relative spin,
 roll like gears, spin disk 1 alone, roll back to the bound, slide and roll. “By hand” is the same spring, clamped, worked out from the path.
-Where alonso sees no rolling its conjugate moments vanish, though its spring is stretched: they jump. Where both rims run equally fast those of alonso-min could be on either disk; here they are on disk 2.</p>
+Where alonso sees no rolling, its conjugate moments are zero although its spring is stretched. So they jump. Where both rims run equally fast,
+alonso-min could put the moment on either disk; here it is on disk 2.</p>
 $(picture contact.png 'Force of the rolling spring and moments on disk 1 by each definition along the path')
 $(table contact.csv 'At the end of each part of the path')
 </section>

@@ -75,7 +75,7 @@ void trundle_world_free(trundle_world *w) {
 
 int trundle_world_step(trundle_world *w, int n, trundle_error *error) {
     tr_status st = {0};
-    if (w->failed) return fail(error, TR_BAD_CASE, "this world has failed before");
+    if (w->failed) return fail(error, TR_BAD_CASE, "this world failed in an earlier step; it can only be read and freed");
     for (int k = 0; k < n && !st.code; k++) {
         if (w->world == &w->bodies.world)
             tr_bodies_advance(&w->bodies);
@@ -113,7 +113,7 @@ static bool has(const trundle_world *w, int i) {
 int trundle_world_disk(const trundle_world *w, int i, trundle_disk *disk, trundle_error *error) {
     const tr_disks *d = &w->world->disks;
     double v[3];
-    if (!has(w, i)) return fail(error, TR_BAD_CASE, "there is no disk of that number");
+    if (!has(w, i)) return fail(error, TR_BAD_CASE, "there is no disk with that number");
     const double *pos = d->pos + 4 * (size_t)i, *force = d->force + 4 * (size_t)i;
     tr_bodies_velocity(w->world, i, v);
     *disk = (trundle_disk){.x = pos[0],
@@ -132,7 +132,7 @@ int trundle_world_disk(const trundle_world *w, int i, trundle_disk *disk, trundl
 
 int trundle_world_set_velocity(trundle_world *w, int i, double vx, double vy, double spin, trundle_error *error) {
     const double v[] = {vx, vy, spin};
-    if (!has(w, i)) return fail(error, TR_BAD_CASE, "there is no disk of that number");
+    if (!has(w, i)) return fail(error, TR_BAD_CASE, "there is no disk with that number");
     if (!isfinite(vx) || !isfinite(vy) || !isfinite(spin)) return fail(error, TR_BAD_CASE, "a velocity is not finite");
     const tr_disks *d = &w->world->disks;
     for (size_t k = 0; k < 3; k++) { /* half a step back, as it is kept */
@@ -151,7 +151,7 @@ int trundle_world_contacts(trundle_world *w, trundle_touch *touch, int room, tru
 }
 
 int trundle_world_biaxial(trundle_world *w, trundle_biaxial *state, trundle_error *error) {
-    if (w->world != &w->biaxial.world) return fail(error, TR_BAD_CASE, "this world is no biaxial test");
+    if (w->world != &w->biaxial.world) return fail(error, TR_BAD_CASE, "this world is not a biaxial test");
     tr_biaxial_state s = tr_biaxial_read(&w->biaxial);
     *state = (trundle_biaxial){s.strain, s.stress_1, s.stress_2, s.sin_phi, s.void_ratio};
     return fail(error, TR_OK, "");

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A run has a number. The caller writes what is to be done, then the number: who reads the new number sees the work. A
+/* A run has a number. The caller writes what is to be done, then the number: a thread that reads the new number also sees the work. A
  * share is taken by setting its own number from that of the run before to that of this run, which only one thread can
  * do. A thread that comes late fails at that, and does not look at the work, which may be of the next run already. */
 #include "base/threads.h"

@@ -5,7 +5,7 @@
  * one processor. A thread that is done takes any share that nobody has begun: where another program holds a processor,
  * work does not wait for the thread that cannot run. Results must therefore not depend on which thread does a share.
  *
- * WAITING. A thread first looks again and again, for some microseconds, and then sleeps. It sleeps at once where there
+ * WAITING. A thread first looks again and again, for about 100 microseconds, and then sleeps. It sleeps at once where there
  * are more threads than processors. */
 #ifndef TR_THREADS_H
 #define TR_THREADS_H

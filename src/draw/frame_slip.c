@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What sticks and what slips of the width of each contact: a bar across it, as long as the contact is wide, much
- * exaggerated. Widths are Hertz's of the forces: 2a ~ sqrt(f_n R_star), spheres ~ cbrt(f_n R_star). */
+/* Bars across contacts: which part of the width sticks and which slips. A bar is as long as the contact is wide, much
+ * enlarged. Widths are Hertz's of the forces: 2a ~ sqrt(f_n R_star), spheres ~ cbrt(f_n R_star). */
 #include "draw/frame_slip.h"
 
 #include "draw/stick.h"

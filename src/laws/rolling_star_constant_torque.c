@@ -34,7 +34,7 @@ static const tr_param params[] = {
     {"mu_r", TR_REAL, TR_DIM_NUMBER, "1", "0.1", 0, 100, NULL, offsetof(par, mu_r),
      "coefficient of rolling resistance"},
     {"R_eq", TR_CHOICE, TR_DIM_NUMBER, "", "harmonic", 0, 0, "harmonic|half", offsetof(par, R_eq),
-     "equivalent radius: harmonic 2R1R2/(R1+R2), 2R2 at a wall; half of it, R1R2/(R1+R2), R2 at a wall"},
+     "equivalent radius: harmonic: 2R1R2/(R1+R2), at a wall 2R2; half: R1R2/(R1+R2), at a wall R2"},
     {"limiter", TR_SWITCH, TR_DIM_NUMBER, "", "no", 0, 0, NULL, offsetof(par, limiter), "moment limiter"},
     {"limiter_factor", TR_REAL, TR_DIM_NUMBER, "1", "0.08", 0, 1, NULL, offsetof(par, limiter_factor),
      "share of the moment that stops the lesser rotation in one step"},

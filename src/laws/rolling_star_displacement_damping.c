@@ -38,7 +38,7 @@ static const tr_param params[] = {
     {"theta_max", TR_REAL, TR_DIM_NUMBER, "rad", "0.035", 1e-9, 10, NULL, offsetof(par, theta_max),
      "largest angular displacement before rolling"},
     {"R_eq", TR_CHOICE, TR_DIM_NUMBER, "", "harmonic", 0, 0, "harmonic|half", offsetof(par, R_eq),
-     "equivalent radius: harmonic 2R1R2/(R1+R2), 2R2 at a wall; half of it, R1R2/(R1+R2), R2 at a wall"},
+     "equivalent radius: harmonic: 2R1R2/(R1+R2), at a wall 2R2; half: R1R2/(R1+R2), at a wall R2"},
     {"damping", TR_SWITCH, TR_DIM_NUMBER, "", "no", 0, 0, NULL, offsetof(par, damping), "viscous moment"},
     {"damping_factor", TR_REAL, TR_DIM_NUMBER, "1", "0.3", 0, 10, NULL, offsetof(par, damping_factor),
      "viscous moment, as a share of critical"},

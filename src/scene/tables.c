@@ -113,7 +113,7 @@ static const tr_param compaction[] = {
     {"inertial_number", TR_REAL, TR_DIM_NUMBER, "1", "1e-2", 1e-9, 1, NULL, AT(inertial_number),
      "largest speed of walls or sides, as an inertial number"},
     {"unbalanced", TR_REAL, TR_DIM_NUMBER, "1", "1e-4", 1e-12, 0.1, NULL, AT(unbalanced),
-     "compacted when mean net force / mean contact force is below"},
+     "compacted when mean net force / mean contact force is below this"},
 };
 #undef STRUCT
 
@@ -177,8 +177,8 @@ static const tr_param output_biaxial[] = {
     {"path_rows", TR_COUNT, TR_DIM_NUMBER, "", "0", 0, 1e6, NULL, AT(path_rows),
      "instants at which paths.csv has the path of all contacts, for trundle replay; 0: no such file"},
     {"increments", TR_SWITCH, TR_DIM_NUMBER, "", "no", 0, 0, NULL, AT(increments),
-     "history.csv tells what contacts did since the row before: rolling and creep over sliding, runs, a, share of "
-     "friction; contacts.csv, sliding, rolling and creep of each"},
+     "adds to history.csv what contacts did since the row before (rolling and creep over sliding, runs, a, share of "
+     "friction), and to contacts.csv the sliding, rolling and creep of each"},
 };
 static const tr_param output_curves[] = {
     {"curves", TR_SWITCH, TR_DIM_NUMBER, "", "yes", 0, 0, NULL, AT(curves), "draw the curves with gnuplot"},

@@ -57,9 +57,9 @@ static void warn_resolution(const tr_bodies *b, const char *of, tr_run_report *r
 /* of, more: in front and behind, or "". where: of the force, and "" or the disks. */
 static void warn_fit(const tr_fit *f, const char *of, const char *where, const char *more, tr_run_report *report) {
     tr_run_note(report,
-                "%s%s = %.4g Pa does not fit E_star and depth%s: the exact line contact has pi E_star/(2 ln(2d/a)) = "
-                "%.4g Pa with d = %.3g m under %.3g N/m. Give %s: %.4g Pa, or change E_star%s",
-                of, f->key, f->k, where, f->fits, f->d, f->P, f->key, f->fits, more);
+                "%s%s = %.4g Pa does not fit E_star and depth. A line contact has pi E_star/(2 ln(2d/a)) = %.4g Pa%s "
+                "(%.3g N/m, depth d = %.3g m). Set %s: %.4g Pa, or change E_star%s",
+                of, f->key, f->k, f->fits, where, f->P, f->d, f->key, f->fits, more);
 }
 
 static void warn_fit_bodies(const tr_bodies *b, const char *of, tr_run_report *report) {
@@ -68,7 +68,7 @@ static void warn_fit_bodies(const tr_bodies *b, const char *of, tr_run_report *r
     if (!tr_fit_bodies(b, &f)) return;
     name_pair(f.a, f.b, names);
     snprintf(where, sizeof where, " of %s", names);
-    if (f.more) snprintf(more, sizeof more, "; nor does that of %d more pair%s", f.more, f.more > 1 ? "s" : "");
+    if (f.more) snprintf(more, sizeof more, ". The same for %d more pair%s", f.more, f.more > 1 ? "s" : "");
     warn_fit(&f, of, where, more, report);
 }
 
@@ -129,6 +129,6 @@ void tr_warn_contact(const tr_scene *played, tr_run_report *report) {
     if (!n) return;
     char of[32], more[60] = "";
     snprintf(of, sizeof of, "laws.%d: ", which);
-    if (n > 1) snprintf(more, sizeof more, "; nor does that of %d more law%s", n - 1, n > 2 ? "s" : "");
+    if (n > 1) snprintf(more, sizeof more, ". The same for %d more law%s", n - 1, n > 2 ? "s" : "");
     warn_fit(&first, of, " at the mean force of the path", more, report);
 }
