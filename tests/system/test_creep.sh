@@ -63,7 +63,7 @@ awk -f "$student" -f "$here/effects.awk" "$work/hole.csv" "$work/kuhn.csv" >"$wo
 check 'a seed that lacks a number does not count' equals "$(told 'peak sin φ' creep 'contact moment' 4)" 3
 
 # ---- the page of a small test ----
-sed 's/disks: 400/disks: 80/; s/strain_end: 0.20/strain_end: 0.01/; s/inertial_number: 1e-3/inertial_number: 1e-2/; s/frames: 100/frames: 3/' \
+sed 's/disks: 400/disks: 80/; s/strain_end: 0.20/strain_end: 0.01/; s/inertial_number: 1e-3/inertial_number: 1e-2/; s/frames: 200/frames: 3/' \
     cases/biaxial-creep.yaml >"$work/small.yaml"
 page=$work/page/index.html
 check 'the page is made' "$here/creep.sh" "$TRUNDLE" "$work/page" 2 "$work/small.yaml"
