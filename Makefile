@@ -20,7 +20,7 @@ PKGS  := yaml-0.1 muparser jansson box2d cairo freetype2 libpng libisal
 FLAGS := -Isrc -Itests -Wall -Wextra -Wpedantic -ffp-contract=off -pthread -fPIC -fvisibility=hidden -MMD -MP $(shell pkg-config --cflags $(PKGS) 2>/dev/null)
 # -fno-math-errno -fno-trapping-math let square roots and comparisons become vector code; they change no value.
 C_FLAGS   := -std=c17 -D_GNU_SOURCE -Werror=implicit-function-declaration -fno-math-errno -fno-trapping-math $(FLAGS) $(CFLAGS)
-CXX_FLAGS := -std=c++17 $(FLAGS) $(CFLAGS)
+CXX_FLAGS := -std=c++17 -fvisibility-inlines-hidden $(FLAGS) $(CFLAGS)
 # libcsv has no pkg-config file.
 LIBS  := $(shell pkg-config --libs $(PKGS) 2>/dev/null) -lcsv -lm -pthread
 
@@ -201,6 +201,7 @@ run-install: $(TRUNDLE) $(BUILD)/api/libtrundle.so $(BUILD)/api/libtrundle.a
 	install -m 644 $(BUILD)/api/libtrundle.a $(DESTDIR)$(PREFIX)/lib/
 	install -m 755 $(BUILD)/api/libtrundle.so $(DESTDIR)$(PREFIX)/lib/libtrundle.so.0
 	ln -sf libtrundle.so.0 $(DESTDIR)$(PREFIX)/lib/libtrundle.so
+	@[ -n "$(DESTDIR)" ] || ldconfig 2>/dev/null || true
 	printf '%s\n' 'prefix=$(PREFIX)' 'Name: trundle' 'Description: 2D disks with laws of friction, rolling resistance and creep' \
 	    'Version: $(VERSION)' 'Cflags: -I$${prefix}/include' 'Libs: -L$${prefix}/lib -ltrundle' 'Requires.private: $(API_PKGS)' \
 	    'Libs.private: -lstdc++ -lm -lpthread' >$(DESTDIR)$(PREFIX)/lib/pkgconfig/trundle.pc
@@ -252,7 +253,7 @@ $(BUILD)/%.c.o: %.c $(BUILD)/flags
 $(BUILD)/%.cpp.o: %.cpp $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(call step,CXX) $(CXX) $(CXX_FLAGS) -c -o $@ $<
-# Other flags, and all objects are made anew.
+# Other compiler flags, and all objects are made anew.
 FLAGS_NOW := $(strip $(CC) $(C_FLAGS) $(CXX) $(CXX_FLAGS))
 $(BUILD)/flags:
 	@mkdir -p $(@D)

@@ -11,8 +11,9 @@
  * Nothing is printed, and the program is not ended.
  *
  * OWNERSHIP. What a `new` or `read` function returns is yours: give it to the `free` function of its type. free
- * functions take
- * NULL. Strings that a function returns belong to the library and stay valid.
+ * functions take NULL. Strings that a function returns belong to the library and stay valid.
+ *
+ * LOCALE. Numbers of cases and laws have a point, whatever the locale of your program.
  *
  * THREADS. Nothing is shared between objects. Use one object from one thread at a time. */
 #ifndef TRUNDLE_H
@@ -76,16 +77,16 @@ typedef struct trundle_touch { /* a touching contact */
 
 typedef struct trundle_biaxial {
     double strain, stress_1, stress_2, sin_phi,
-        void_ratio; /* stresses: means over the steps since the last call [Pa] */
+        void_ratio; /* stresses: means over the steps since the last call; without a step, those of that call [Pa] */
 } trundle_biaxial;
 
-/* kind: bodies or biaxial, else TRUNDLE_BAD_CASE. For kind: biaxial this call places and compacts the
+/* kind: bodies or biaxial, of one document, else TRUNDLE_BAD_CASE. For kind: biaxial this call places and compacts the
  * sample, which takes seconds. The scene must outlive the world. The world stands at the start of the motion or of the
  * shear, with the forces of that instant. */
 TRUNDLE_API trundle_world *trundle_world_new(const trundle_scene *scene, trundle_error *error);
 TRUNDLE_API void trundle_world_free(trundle_world *world);
 
-/* Takes n steps. After a failure only reading and freeing are allowed. */
+/* Takes n steps, 0 or more. After a failure only reading and freeing are allowed. */
 TRUNDLE_API int trundle_world_step(trundle_world *world, int n, trundle_error *error);
 
 /* n threads share the work of more than 4000 disks (1 to 1024). The bits do not depend on n. */
@@ -99,7 +100,8 @@ TRUNDLE_API int trundle_world_count(const trundle_world *world); /* of disks */
 /* i from 0 to count - 1, else TRUNDLE_BAD_CASE. */
 TRUNDLE_API int trundle_world_disk(const trundle_world *world, int i, trundle_disk *disk, trundle_error *error);
 
-/* A new velocity of disk i for the step to come. What its motion prescribes stays as it is set. */
+/* A new velocity of disk i for the step to come; numbers must be finite. A prescribed or pinned disk keeps vx and vy, a
+ * prescribed or driven disk its spin. A disk on an orbit stays on it: vx and vy are ignored. */
 TRUNDLE_API int trundle_world_set_velocity(trundle_world *world, int i, double vx, double vy, double spin,
                                            trundle_error *error);
 
@@ -138,7 +140,8 @@ TRUNDLE_API void trundle_contact_free(trundle_contact *contact);
 
 /* One step of dt > 0 that ends in this state: history moves on by dt, and the forces are those of the end. Positions
  * and velocities are those that your code has when it computes forces. A contact that is open gives 0 and forgets its
- * history. TRUNDLE_NUMERICAL: a number is not finite. */
+ * history. TRUNDLE_NUMERICAL: a position or a velocity is not finite, or both centres coincide, and the contact stays as
+ * it was; or a force is not finite, and the contact has forgotten its history. The force is 0 then. */
 TRUNDLE_API int trundle_contact_step(trundle_contact *contact, double dt, const trundle_body *one,
                                      const trundle_body *two, trundle_force *force, trundle_error *error);
 

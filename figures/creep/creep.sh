@@ -11,6 +11,7 @@ set -eu
 export LC_ALL=C
 trundle=$1 out=$2 seeds=${3:-24}
 here=$(cd "$(dirname "$0")" && pwd)
+[ "$seeds" -ge 2 ] || { echo 'error: at least two seeds are needed' >&2; exit 2; }
 base=$(realpath "${4:-$here/../../cases/biaxial-creep.yaml}")
 mkdir -p "$out"
 
@@ -30,18 +31,22 @@ CASE
 sweep kuhn <<'CASE'
 vary: {contact.mu_r: [0, 0.5], contact.creep_roll: [kuhn]}
 CASE
-awk -f "$here/../student.awk" -f "$here/effects.awk" "$out/laws/points.csv" "$out/kuhn/points.csv" >"$out/effects.csv"
+awk -v used="$out/seeds" -f "$here/../student.awk" -f "$here/effects.awk" "$out/laws/points.csv" "$out/kuhn/points.csv" \
+    >"$out/effects.csv"
+# rows DIRECTORY: history.csv of the seeds that count
+rows() { while read -r seed; do echo "$1,seed=$seed/history.csv"; done <"$out/seeds"; }
 for run in 'spring|laws|coulomb-spring' 'creep|laws|dahlberg-alfredsson' 'kuhn|kuhn|kuhn'; do
     IFS='|' read -r name sweep value <<NAMES
 $run
 NAMES
     for mu_r in 0 0.5; do
-        awk -f "$here/../student.awk" -f "$here/curve.awk" -v mu_r="$mu_r" -v friction="$name" "$out/$sweep/mu_r=$mu_r,"*"=$value,seed="*/history.csv
+        rows "$(echo "$out/$sweep/mu_r=$mu_r,"*"=$value,seed=1" | sed 's/,seed=1$//')" | tr '\n' '\0' |
+            xargs -0 awk -f "$here/../student.awk" -f "$here/curve.awk" -v mu_r="$mu_r" -v friction="$name"
     done
 done >"$out/curves.csv"
 
-[ -e "$out/film/summary.json" ] || "$trundle" run "$base" -o "$out/film" --force >"$out/said" 2>&1 || { cat "$out/said" >&2; exit 1; }
-rm -f "$out"/*.png "$out/said"
+"$trundle" run "$base" -o "$out/film" --force >"$out/said" 2>&1 || { cat "$out/said" >&2; exit 1; }
+rm -f "$out"/*.png "$out/said" "$out/seeds"
 if command -v gnuplot >/dev/null; then
     for picture in curves effects; do
         gnuplot -d -e "dir = '$out'; set output '$out/$picture.png'" \

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # What each of Kuhn's two kinds of rolling resistance does, from the points of creep.sh: differences of runs that share a sample, seed by
-# seed. A seed counts if it has all its points.
+# seed. A seed counts if it has all its points. used: file that gets the seeds that count.
 #
 # Rule, written before the runs. Four numbers: peak and residual sin phi, dilatancy (residual void ratio less that at the start), share of
 # rolling in the residual, Sum |V_r|/Sum (|V_r| + |V_s|). Six differences of each: contact moment (mu_r = 0.5 less 0) without and with creep, creep
@@ -50,6 +50,7 @@ function judge(kind, other, terms, q, decide,   n, i, s, d, sum, squares, mean, 
 }
 END {
     for (s in points) if (points[s] == 6) seed[++n_seeds] = s
+    for (i = 1; used && i <= n_seeds; i++) print seed[i] >used
     if (n_seeds < 2) { print "error: at least two seeds are needed" >"/dev/stderr"; exit 1 }
     print "number", "of", "beside", "seeds", "mean", "half_95", "half_all", "margin", "verdict"
     for (i = 1; i <= 4; i++) {

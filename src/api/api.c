@@ -28,3 +28,18 @@ trundle_touch tr_api_touch(const tr_record *r) {
                            .s2 = r->s2,
                            .mobilisation = r->mobilisation};
 }
+
+tr_api_locale tr_api_locale_enter(tr_status *st) {
+    tr_api_locale l = {.own = newlocale(LC_ALL_MASK, "C", (locale_t)0)};
+    if (l.own)
+        l.before = uselocale(l.own);
+    else
+        tr_status_fail(st, TR_FILE, "error: out of memory");
+    return l;
+}
+
+void tr_api_locale_leave(tr_api_locale l) {
+    if (!l.own) return;
+    uselocale(l.before);
+    freelocale(l.own);
+}

@@ -29,9 +29,17 @@ static bool check(const trundle_pair *p, tr_status *st) {
            tr_status_fail(st, TR_BAD_CASE, "error: the normal of the plane must have the length 1");
 }
 
+/* The keys of `contact` and no others: a brace would end the mapping, a name of `disks` would mean a disk of the frame. */
+static bool check_laws(const char *laws, tr_status *st) {
+    if (strpbrk(laws, "{}")) return tr_status_fail(st, TR_BAD_CASE, "error: laws: `{` and `}` are not allowed");
+    return !strstr(laws, "disks.") || tr_status_fail(st, TR_BAD_CASE, "error: laws: `disks` cannot be named here");
+}
+
+/* The closing braces stand on a line of their own, for the laws may end with a comment. */
 static bool read_laws(tr_scene *scene, const char *laws, tr_status *st) {
-    static const char frame[] = "{kind: bodies, time_end: 1, disks: [{radius: 1, x: 0, y: 0}], contact: {%s}}\n";
+    static const char frame[] = "{kind: bodies, time_end: 1, disks: [{radius: 1, x: 0, y: 0}], contact: {%s\n}}\n";
     size_t room = sizeof frame + strlen(laws);
+    if (!check_laws(laws, st)) return false;
     char *text = tr_alloc(room, 1, st);
     if (!text) return false;
     int size = snprintf(text, room, frame, laws);
@@ -73,8 +81,10 @@ static bool set_up(trundle_contact *c, const trundle_pair *p, tr_status *st) {
 trundle_contact *trundle_contact_new(const char *laws, const trundle_pair *pair, trundle_error *error) {
     tr_status st = {0};
     trundle_contact *c = NULL;
-    bool ok = check(pair, &st) && (c = tr_alloc(1, sizeof *c, &st)) && read_laws(&c->scene, laws, &st) &&
+    tr_api_locale l = tr_api_locale_enter(&st);
+    bool ok = !st.code && check(pair, &st) && (c = tr_alloc(1, sizeof *c, &st)) && read_laws(&c->scene, laws, &st) &&
               set_up(c, pair, &st);
+    tr_api_locale_leave(l);
     tr_api_tell(&st, error);
     if (ok) return c;
     trundle_contact_free(c);
@@ -89,15 +99,34 @@ void trundle_contact_free(trundle_contact *c) {
     free(c);
 }
 
+/* Histories are set to 0, not only forgotten by opening: a number that is not finite would stay. */
 void trundle_contact_reset(trundle_contact *c) {
     const tr_disks *d = &c->world.disks;
+    tr_group *g = &c->world.group[c->plane];
     const double far = 4 * (d->pos[3] + d->pos[4 * (size_t)(d->n - 1) + 3]);
     tr_status st = {0};
     trundle_body two = {.x = far, .y = 0};
     if (c->plane) two.x = far * c->world.wall->nx, two.y = far * c->world.wall->ny;
+    for (int k = 0; k < g->n_hist; k++)
+        for (int i = 0; i < g->n; i++) g->hist[k][i] = 0;
     place(c, &(trundle_body){0}, &two);
     c->world.dt = 1;
     tr_step_forces(&c->world, &st); /* of an open contact: nothing can fail */
+}
+
+static bool is_finite(const trundle_body *b, bool plane) {
+    return isfinite(b->x) && isfinite(b->y) && isfinite(b->vx) && isfinite(b->vy) && (plane || isfinite(b->spin));
+}
+
+/* What no step may be taken with: the contact stays as it is. */
+static bool can_step(const trundle_contact *c, double dt, const trundle_body *one, const trundle_body *two,
+                     tr_status *st) {
+    if (!(dt > 0) || !isfinite(dt)) return tr_status_fail(st, TR_BAD_CASE, "error: dt = %g s; it must be positive", dt);
+    if (!is_finite(one, c->plane) || !is_finite(two, false))
+        return tr_status_fail(st, TR_NUMERICAL, "error: a position or a velocity is not finite");
+    return c->plane || one->x != two->x || one->y != two->y ||
+           tr_status_fail(st, TR_NUMERICAL, "error: both centres are at (%g, %g): the contact has no normal", one->x,
+                          one->y);
 }
 
 int trundle_contact_step(trundle_contact *c, double dt, const trundle_body *one, const trundle_body *two,
@@ -106,16 +135,16 @@ int trundle_contact_step(trundle_contact *c, double dt, const trundle_body *one,
     const tr_disks *d = &c->world.disks;
     const double *on2 = d->force + 4 * (size_t)(d->n - 1);
     *force = (trundle_force){0};
-    if (!(dt > 0) || !isfinite(dt)) {
-        tr_status_fail(&st, TR_BAD_CASE, "error: dt = %g s; it must be positive", dt);
-        return tr_api_tell(&st, error);
-    }
+    if (!can_step(c, dt, one, two, &st)) return tr_api_tell(&st, error);
     c->world.dt = dt;
     place(c, one, two);
     if (tr_step_forces(&c->world, &st)) {
         *force = (trundle_force){on2[0], on2[1], c->plane ? 0 : d->force[2], on2[2]};
-        if (!isfinite(force->fx) || !isfinite(force->fy) || !isfinite(force->torque1) || !isfinite(force->torque2))
-            tr_status_fail(&st, TR_NUMERICAL, "error: a force is not finite; are the positions and velocities?");
+        if (!isfinite(force->fx) || !isfinite(force->fy) || !isfinite(force->torque1) || !isfinite(force->torque2)) {
+            tr_status_fail(&st, TR_NUMERICAL, "error: a force is not finite; the contact has forgotten its history");
+            *force = (trundle_force){0};
+            trundle_contact_reset(c);
+        }
     }
     return tr_api_tell(&st, error);
 }

@@ -18,6 +18,7 @@ struct trundle_world {
     tr_world *world; /* of one of these */
     tr_bodies bodies;
     tr_biaxial biaxial;
+    trundle_biaxial read; /* the last that was told */
     tr_record *records;
     int capacity;
 };
@@ -53,7 +54,9 @@ trundle_world *trundle_world_new(const trundle_scene *scene, trundle_error *erro
     trundle_world *w = tr_alloc(1, sizeof *w, &st);
     if (w) w->scene = &scene->scene;
     bool ok = false;
-    if (w && scene->scene.kind == TR_KIND_BIAXIAL)
+    if (w && scene->scene.n_more)
+        tr_status_fail(&st, TR_BAD_CASE, "error: the case has several documents; a world is made of one");
+    else if (w && scene->scene.kind == TR_KIND_BIAXIAL)
         ok = begin_biaxial(w, &st);
     else if (w && scene->scene.kind == TR_KIND_BODIES)
         ok = begin_bodies(w, &st);
@@ -75,7 +78,9 @@ void trundle_world_free(trundle_world *w) {
 
 int trundle_world_step(trundle_world *w, int n, trundle_error *error) {
     tr_status st = {0};
-    if (w->failed) return fail(error, TR_BAD_CASE, "this world failed in an earlier step; it can only be read and freed");
+    if (n < 0) return fail(error, TR_BAD_CASE, "the number of steps is negative");
+    if (w->failed)
+        return fail(error, TR_BAD_CASE, "this world failed in an earlier step; it can only be read and freed");
     for (int k = 0; k < n && !st.code; k++) {
         if (w->world == &w->bodies.world)
             tr_bodies_advance(&w->bodies);
@@ -135,7 +140,8 @@ int trundle_world_set_velocity(trundle_world *w, int i, double vx, double vy, do
     if (!has(w, i)) return fail(error, TR_BAD_CASE, "there is no disk with that number");
     if (!isfinite(vx) || !isfinite(vy) || !isfinite(spin)) return fail(error, TR_BAD_CASE, "a velocity is not finite");
     const tr_disks *d = &w->world->disks;
-    for (size_t k = 0; k < 3; k++) { /* half a step back, as it is kept */
+    bool orbit = w->world == &w->bodies.world && w->scene->disks[i].motion == TR_ORBIT; /* which gives vx and vy */
+    for (size_t k = orbit ? 2 : 0; k < 3; k++) { /* half a step back, as it is kept */
         size_t lane = 4 * (size_t)i + k;
         d->vel[lane] = v[k] - 0.5 * w->world->dt * d->inv[lane] * d->force[lane];
     }
@@ -152,7 +158,10 @@ int trundle_world_contacts(trundle_world *w, trundle_touch *touch, int room, tru
 
 int trundle_world_biaxial(trundle_world *w, trundle_biaxial *state, trundle_error *error) {
     if (w->world != &w->biaxial.world) return fail(error, TR_BAD_CASE, "this world is not a biaxial test");
-    tr_biaxial_state s = tr_biaxial_read(&w->biaxial);
-    *state = (trundle_biaxial){s.strain, s.stress_1, s.stress_2, s.sin_phi, s.void_ratio};
+    if (w->biaxial.stress_steps > 0) {
+        tr_biaxial_state s = tr_biaxial_read(&w->biaxial);
+        w->read = (trundle_biaxial){s.strain, s.stress_1, s.stress_2, s.sin_phi, s.void_ratio};
+    }
+    *state = w->read;
     return fail(error, TR_OK, "");
 }

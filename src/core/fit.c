@@ -4,26 +4,42 @@
 #include "core/resolution.h"
 #include <math.h>
 
-/* |log| of what is given over what would fit: half as stiff is as far off as twice as stiff. */
+/* |log| of what is given over what would fit: half as stiff is as far off as twice as stiff. Infinite where nothing fits. */
 static double misfit(const tr_fit *fit) {
     return fabs(log(fit->k / fit->fits));
 }
 
-bool tr_fit_contact(const tr_scene_contact *laws, double R1, double R2, double E_star, double d, double P,
-                    tr_fit *fit) {
+/* What the laws have of one contact; of E_star and depth else what is given. */
+typedef struct contact {
+    const char *key; /* of k */
+    double k, E_star, depth;
+} contact;
+
+/* False: nothing can contradict, for something of it is not given, or there is no friction. */
+static bool given(const tr_scene_contact *laws, double E_star, double d, contact *c) {
     const tr_law *normal = tr_laws_normal[laws->normal.law], *friction = tr_laws_friction[laws->friction.law];
     const double *of_normal = laws->normal.par, *of_friction = laws->friction.par,
                  *k_t = tr_law_value(friction, of_friction, "k_t"), *k_n = tr_law_value(normal, of_normal, "k_n"),
                  *mu = tr_law_value(friction, of_friction, "mu"), *own = tr_law_value(friction, of_friction, "E_star"),
                  *other = tr_law_value(normal, of_normal, "E_star"), *depth = tr_law_value(normal, of_normal, "depth"),
-                 *k = k_t ? k_t : own ? k_n : NULL;
+                 *k = k_t   ? k_t
+                      : own ? k_n
+                            : NULL;
     if (own || other) E_star = own ? *own : *other;
-    if (!k || !(mu && *mu > 0) || !(E_star > 0) || !(P > 0)) return false;
-    *fit = (tr_fit){.key = k_t ? "k_t" : "k_n", .k = *k, .P = P, .d = tr_law_depth(depth ? *depth : d, R1, R2)};
-    fit->Lambda = log(2 * fit->d / tr_law_width(TR_SHAPE_DISK, P, tr_law_R_star(R1, R2), E_star));
-    if (!(fit->Lambda > 0)) return false; /* wider than deep: no such contact */
-    fit->fits = M_PI * E_star / (2 * fit->Lambda);
-    return fabs(fit->k / fit->fits - 1) > TR_FIT;
+    if (!k || !(mu && *mu > 0) || !(E_star > 0)) return false;
+    *c = (contact){k_t ? "k_t" : "k_n", *k, E_star, depth ? *depth : d};
+    return true;
+}
+
+bool tr_fit_contact(const tr_scene_contact *laws, double R1, double R2, double E_star, double d, double P,
+                    tr_fit *fit) {
+    contact c;
+    if (!given(laws, E_star, d, &c) || !(P > 0)) return false;
+    *fit = (tr_fit){.key = c.key, .k = c.k, .P = P, .d = tr_law_depth(c.depth, R1, R2)};
+    fit->a = tr_law_width(TR_SHAPE_DISK, P, tr_law_R_star(R1, R2), c.E_star);
+    double Lambda = log(2 * fit->d / fit->a);
+    fit->fits = Lambda > 0 ? M_PI * c.E_star / (2 * Lambda) : 0;
+    return !(fabs(fit->k / fit->fits - 1) <= TR_FIT);
 }
 
 /* The mean force of two disks that share a stress s is about s 2R when frictionless disks are compacted. In the shear
@@ -39,12 +55,14 @@ bool tr_fit_biaxial(const tr_biaxial *b, tr_fit *fit) {
 bool tr_fit_bodies(const tr_bodies *b, tr_fit *fit) {
     const tr_world *w = &b->world;
     int n = 0;
-    for (int i = 0; w->shape == TR_SHAPE_DISK && i < w->disks.n; i++)
+    contact c;
+    if (w->shape != TR_SHAPE_DISK || !given(&b->scene->contact, 0, 0, &c)) return false; /* pairs take their time */
+    for (int i = 0; i < w->disks.n; i++)
         for (int a = -w->n_walls; a < i; a++) {
             double R1 = a < 0 ? 0 : w->disks.pos[4 * (size_t)a + 3], R2 = w->disks.pos[4 * (size_t)i + 3];
             tr_fit now;
             if (!tr_fit_contact(&b->scene->contact, R1, R2, 0, 0, tr_resolution_force(b, a, i), &now)) continue;
-            now.a = a, now.b = i;
+            now.one = a, now.two = i;
             if (n++ == 0 || misfit(&now) > misfit(fit)) *fit = now;
         }
     if (n) fit->more = n - 1;

@@ -17,15 +17,16 @@
 #define TR_FIT 0.2 /* |k/fits - 1| above this does not fit */
 
 typedef struct tr_fit {
-    const char *key;     /* of the stiffness in the case: k_t or k_n */
-    double k, fits;      /* what is given, what would fit [Pa] */
-    double P, d, Lambda; /* at this force [N/m], depth [m], ln(2d/a) */
-    int a, b;            /* kind: bodies: the pair, as in tr_resolution */
-    int more;            /* further such pairs */
+    const char *key; /* of the stiffness in the case: k_t or k_n */
+    double k, fits;  /* what is given, what would fit [Pa]; 0: nothing, the contact is wider than deep (a >= 2 d) */
+    double P, a, d;  /* at this force [N/m]: half-width, depth [m] */
+    int one, two;    /* kind: bodies: the pair, as a and b in tr_resolution */
+    int more;        /* further such pairs */
 } tr_fit;
 
 /* The contact of two disks, R1 = 0: of a wall and a disk, pressed with P. E_star and d are for laws that have none of
- * their own; 0: none is known. True: the stiffness is known and does not fit. */
+ * their own; 0: none is known. True: the stiffness is known and does not fit, or
+ * nothing would. */
 bool tr_fit_contact(const tr_scene_contact *laws, double R1, double R2, double E_star, double d, double P, tr_fit *fit);
 
 /* Two mean disks of a sample, at the mean force of the shear. */

@@ -221,6 +221,9 @@ static void draw_color_bar(cairo_t *cr, const tr_view *view, double range, doubl
     else if (view->color == TR_COLOR_SLIDING || view->color == TR_COLOR_ROLLING)
         unit = tr_frame_unit(range, "m/s");
     snprintf(label, sizeof label, "%s%s", view->fill && !spin ? "mean " : "", name[view->color]);
+    if (view->color == TR_COLOR_SLIP) /* of disks too small for bars across their contacts */
+        tr_pen_text(cr, (tr_text){.x = TR_PANEL_X, .y = y - 34, .size = 22, .room = TR_PANEL_W, .hue = TR_FAINT},
+                    tr_frame_slip_limit(view));
     tr_frame_color_bar(cr, label, range, &unit, spin, y);
 }
 

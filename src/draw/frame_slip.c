@@ -63,10 +63,16 @@ void tr_frame_slip(cairo_t *cr, const tr_view *view, const tr_map *map, double m
     }
 }
 
-void tr_frame_slip_key(cairo_t *cr, const tr_view *view, double y) {
+const char *tr_frame_slip_limit(const tr_view *view) {
     static const char *const limit[] = {"all of it or nothing: the law has no width",
                                         "by Cattaneo, as if loaded from rest", "by Carter: what the law tends to"};
     const tr_law *law = view->world->group[0].slot[TR_FRICTION].law;
+    bool sphere = view->world->shape == TR_SHAPE_SPHERE; /* Carter's contact is a line */
+    if (!law || !law->step) return "";
+    return sphere && law->slip == TR_SLIPS_TRAILING ? "rolling steadily: what the law tends to" : limit[law->slip];
+}
+
+void tr_frame_slip_key(cairo_t *cr, const tr_view *view, double y) {
     static const struct {
         const char *name;
         tr_hue hue;
@@ -79,7 +85,6 @@ void tr_frame_slip_key(cairo_t *cr, const tr_view *view, double y) {
         cairo_fill(cr);
         tr_pen_text(cr, (tr_text){.x = x + 60, .y = y + 34, .size = 24}, part[i].name);
     }
-    if (law && law->step)
-        tr_pen_text(cr, (tr_text){.x = TR_PANEL_X, .y = y + 70, .size = 22, .room = TR_PANEL_W, .hue = TR_FAINT},
-                    limit[law->slip]);
+    tr_pen_text(cr, (tr_text){.x = TR_PANEL_X, .y = y + 70, .size = 22, .room = TR_PANEL_W, .hue = TR_FAINT},
+                tr_frame_slip_limit(view));
 }

@@ -8,7 +8,8 @@ void tr_frame_stick(const tr_world *world, const tr_record *r, double stick[2]) 
     const tr_slot *slot = &world->group[r->a < 0].slot[TR_FRICTION];
     const tr_law *law = slot->law;
     stick[0] = stick[1] = 0;
-    if (!law || !law->step) return;
+    const double *mu = law ? tr_law_value(law, slot->par, "mu") : NULL;
+    if (!law || !law->step || (mu && *mu == 0)) return;
     double left = 1 - fmin(fmax(r->mobilisation, 0), 1); /* NaN: 1 */
     double c = world->shape == TR_SHAPE_SPHERE ? cbrt(left) : sqrt(left);
     if (law->slip == TR_SLIPS_WHOLE) c = left > 1e-9; /* the law caps Q to rounding */

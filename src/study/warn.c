@@ -56,6 +56,14 @@ static void warn_resolution(const tr_bodies *b, const char *of, tr_run_report *r
 
 /* of, more: in front and behind, or "". where: of the force, and "" or the disks. */
 static void warn_fit(const tr_fit *f, const char *of, const char *where, const char *more, tr_run_report *report) {
+    if (f->fits == 0) {
+        tr_run_note(
+            report,
+            "%sE_star is too small for a line contact%s (%.3g N/m): its half-width %.3g m is not below twice its "
+            "depth, d = %.3g m. Set a larger E_star%s",
+            of, where, f->P, f->a, f->d, more);
+        return;
+    }
     tr_run_note(report,
                 "%s%s = %.4g Pa does not fit E_star and depth. A line contact has pi E_star/(2 ln(2d/a)) = %.4g Pa%s "
                 "(%.3g N/m, depth d = %.3g m). Set %s: %.4g Pa, or change E_star%s",
@@ -66,7 +74,7 @@ static void warn_fit_bodies(const tr_bodies *b, const char *of, tr_run_report *r
     tr_fit f;
     char names[NAMES], where[NAMES + 8], more[60] = "";
     if (!tr_fit_bodies(b, &f)) return;
-    name_pair(f.a, f.b, names);
+    name_pair(f.one, f.two, names);
     snprintf(where, sizeof where, " of %s", names);
     if (f.more) snprintf(more, sizeof more, ". The same for %d more pair%s", f.more, f.more > 1 ? "s" : "");
     warn_fit(&f, of, where, more, report);
@@ -99,8 +107,8 @@ static double mean_force(const tr_scene *played, const tr_scene_law *normal) {
     double sum = 0, steps = 0, before = NAN;
     for (int i = 0; i < played->n_segments; i++) {
         const tr_scene_segment *g = &played->path[i];
-        double P = isnan(g->force) ? law->elastic(normal->par, pair->R1, pair->R2, fmax(g->overlap, 0)).force
-                                   : g->force;
+        double P =
+            isnan(g->force) ? law->elastic(normal->par, pair->R1, pair->R2, fmax(g->overlap, 0)).force : g->force;
         double mean = isnan(before) ? P : 0.5 * (before + P);
         if (mean > 0) sum += g->steps * mean, steps += g->steps;
         before = P;

@@ -78,4 +78,15 @@ check 'its pictures and its film are there' links
 cp "$page" "$work/first.html"
 "$here/creep.sh" "$TRUNDLE" "$work/page" 2 "$work/small.yaml" >/dev/null
 check 'the same page again' cmp "$work/first.html" "$page"
+cp "$work/page/curves.csv" "$work/first.csv"
+again() { "$here/creep.sh" "$TRUNDLE" "$work/page" "$1" "$2" >"$work/complaint" 2>&1; }
+check 'a seed more' again 3 "$work/small.yaml"
+check 'gives other curves' not cmp -s "$work/first.csv" "$work/page/curves.csv"
+check 'with less again' again 2 "$work/small.yaml"
+check 'the curves are those of the seeds that are asked for' cmp "$work/first.csv" "$work/page/curves.csv"
+sed 's/^  mu: 0.5/  mu: 0.4/' "$work/small.yaml" >"$work/other.yaml"
+check 'another case' again 2 "$work/other.yaml"
+check 'has a film of its own' sh -c 'grep -q "^  mu: 0.4" "$0"' "$work/page/film/case.yaml"
+check 'one seed is refused, before any run' not again 1 "$work/other.yaml"
+check 'with the reason' says "$work/complaint" 'at least two seeds'
 finish

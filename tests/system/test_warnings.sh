@@ -78,6 +78,20 @@ check 'a spring without creep is such a contact too' \
 check 'told' once "Set k_t: 1e+09 Pa"
 check 'the run tells it before it starts, and is done' run_gives 0 line.yaml -o line --set laws.0.k_t='2 GPa'
 check 'once' once "$misfit"
+# a = sqrt(4 P R_star/(pi E_star)) with P = 10 MPa 1 mm, R_star = 5 mm is 2 d = 4 10 mm/e from E_star = 294 kPa down
+cat >flat.yaml <<'CASE'
+kind: bodies
+time_end: 1 ms
+contact: {k_n: 10 MPa, friction: dahlberg-alfredsson, mu: 0.3, E_star: 290 kPa, k_t: 1 MPa, rolling: none}
+disks:
+  - {radius: 10 mm, x: 0, y: 0, motion: pinned}
+  - {radius: 10 mm, x: 19 mm, y: 0, motion: pinned}
+output: {rows: 4, contacts: 0, frames: 0}
+CASE
+check 'a contact that is wider than deep' run_gives 0 flat.yaml --check
+check 'is told: no stiffness fits' once '^note: E_star is too small for a line contact of disks 0 and 1'
+check 'with a little more E_star a stiffness fits' run_gives 0 flat.yaml --check --set contact.E_star='310 kPa'
+check 'which is told' once '^note: k_t = .* does not fit'
 check 'frictionless: nothing to fit' run_gives 0 line.yaml --check --set laws.0.mu=0 --set laws.0.k_t='2 GPa'
 check 'no note' silent
 # on a bed the tangential stiffness is that of the normal law
