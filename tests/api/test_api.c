@@ -3,6 +3,8 @@
 #include "assert_close.h"
 #include "trundle.h"
 
+#include <locale.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const char spring[] =
@@ -77,8 +79,8 @@ static void plane_turned(void **state) {
     trundle_contact_free(a), trundle_contact_free(b);
 }
 
-/* Every law of friction and rolling: two bodies of a world, and a contact that is led along their motion, have the same
- * bits. */
+/* Every law of friction and rolling: two bodies of a world, and a contact that is led along their motion, give the same
+ * to 1e-9. */
 static void as_in_a_world(void **state) {
     (void)state;
     static const char *const laws[] = {
@@ -136,7 +138,19 @@ static void what_is_refused(void **state) {
     assert_null(trundle_contact_new("k_n: 1 MPa, friction: coulom-spring, mu: 0.5, rolling: none", &pair, &error));
     assert_int_equal(error.code, TRUNDLE_BAD_CASE);
     assert_non_null(strstr(error.text, "coulom-spring"));
-    assert_null(trundle_contact_new("}", &pair, &error));
+    static const char *const no_laws[] = {
+        "",
+        "}",
+        "{",
+        "k_n: 1 MPa, friction: none, rolling: none}, walls: [{nx: 0, ny: 1}], gravity: {y: -9.81",
+        "k_n: 1 MPa, friction: none, rolling: none}}\n---\n{kind: bodies, x: {",
+        "k_n: disks.0.radius*1 MPa/m, friction: none, rolling: none",
+        "k_n: 1 MPa, friction: none, rolling: none, gravity: 1"};
+    for (size_t i = 0; i < sizeof no_laws / sizeof *no_laws; i++) {
+        if (trundle_contact_new(no_laws[i], &pair, &error)) fail_msg("taken: %s", no_laws[i]);
+        assert_int_equal(error.code, TRUNDLE_BAD_CASE);
+    }
+    trundle_contact_free(contact_of("k_n: 1 MPa, friction: none, rolling: none # the least", &pair));
     odd.R2 = 0;
     assert_null(trundle_contact_new(spring, &odd, &error));
     odd = (trundle_pair){.R2 = 1, .density2 = 1, .nx = 1, .ny = 1};
@@ -147,6 +161,24 @@ static void what_is_refused(void **state) {
     trundle_body nowhere = {.x = 0.04, .vy = NAN};
     nowhere.x -= 1e-5;
     assert_int_equal(trundle_contact_step(c, 1e-5, &body, &nowhere, &f, &error), TRUNDLE_NUMERICAL);
+    /* It is as it was, and goes on; so it does where both centres coincide. */
+    trundle_body sound = {.x = 0.04 - 1e-5}, together = {0}, far = {.x = 0.2, .vx = INFINITY};
+    assert_int_equal(trundle_contact_step(c, 1e-5, &body, &sound, &f, &error), TRUNDLE_OK);
+    assert_close(f.fx, 10, 1e-9, 0);
+    assert_int_equal(trundle_contact_step(c, 1e-5, &body, &together, &f, &error), TRUNDLE_NUMERICAL);
+    assert_int_equal(trundle_contact_step(c, 1e-5, &body, &far, &f, &error), TRUNDLE_NUMERICAL);
+    assert_close(f.fx, 0, 0, 0);
+    assert_int_equal(trundle_contact_step(c, 1e-5, &body, &sound, &f, &error), TRUNDLE_OK);
+    assert_close(f.fx, 10, 1e-9, 0);
+    /* A force beyond all numbers: the history is gone, the contact is not. */
+    trundle_contact *damped = contact_of("k_n: 1 MPa, damping_ratio: 0.9, mu: 0.5, k_t: 1 MPa, rolling: none", &pair);
+    sound.vx = -1e308;
+    assert_int_equal(trundle_contact_step(damped, 1e-5, &body, &sound, &f, &error), TRUNDLE_NUMERICAL);
+    assert_close(f.fx, 0, 0, 0);
+    sound.vx = 0;
+    assert_int_equal(trundle_contact_step(damped, 1e-5, &body, &sound, &f, &error), TRUNDLE_OK);
+    assert_close(f.fx, 10, 1e-9, 0);
+    trundle_contact_free(damped);
     trundle_contact_free(c), trundle_contact_free(NULL), trundle_world_free(NULL), trundle_scene_free(NULL);
 
     assert_null(trundle_scene_read_file("no/such/file.yaml", NULL, 0, &error));
@@ -170,6 +202,8 @@ static void what_is_refused(void **state) {
     assert_int_equal(trundle_world_set_velocity(world, 0, 2, 0, 0, &error), TRUNDLE_OK);
     assert_int_equal(trundle_world_disk(world, 0, &disk, &error), TRUNDLE_OK);
     assert_close(disk.vy, 0, 0, 1e-15); /* of this instant, though it falls */
+    assert_int_equal(trundle_world_step(world, -1, &error), TRUNDLE_BAD_CASE);
+    assert_int_equal(trundle_world_step(world, 0, &error), TRUNDLE_OK);
     assert_int_equal(trundle_world_step(world, 7, &error), TRUNDLE_OK);
     assert_int_equal(trundle_world_disk(world, 0, &disk, &error), TRUNDLE_OK);
     assert_close(disk.x, 2 * trundle_world_time(world), 1e-12, 0);
@@ -192,7 +226,14 @@ static void a_biaxial_test(void **state) {
     assert_true(s.stress_1 > s.stress_2 && s.strain > 0);
     int n = trundle_world_contacts(world, touch, 400, &error);
     assert_true(n > 60 && n < 400);
+    touch[1].a = -77; /* behind the room for one */
     assert_int_equal(trundle_world_contacts(world, touch, 1, &error), n);
+    assert_int_equal(touch[1].a, -77);
+    assert_int_equal(trundle_world_contacts(world, NULL, 0, &error), n);
+    assert_int_equal(trundle_world_contacts(world, touch, 400, &error), n);
+    trundle_biaxial again;
+    assert_int_equal(trundle_world_biaxial(world, &again, &error), TRUNDLE_OK);
+    assert_memory_equal(&again, &s, sizeof s); /* no step between */
     for (int i = 0; i < n; i++) {
         assert_true(touch[i].f_n >= 0 && touch[i].overlap > 0 && touch[i].mobilisation <= 1 + 1e-12);
         assert_close(hypot(touch[i].nx, touch[i].ny), 1, 1e-12, 0);
@@ -219,9 +260,66 @@ static void definitions(void **state) {
     assert_true(isnan(trundle_definition_value(TRUNDLE_ROLLING, 0, 1, 3, &one, &one)));
 }
 
+/* Two disks are thrown at each other so fast that they meet within a step: that ends the world. */
+static void a_world_that_failed(void **state) {
+    (void)state;
+    trundle_error error;
+    trundle_disk disk;
+    trundle_scene *scene = trundle_scene_read(
+        "fast",
+        "{kind: bodies, time_end: 1, step: {dt: 1e-5}, contact: {k_n: 1 MPa, friction: none, rolling: none}, disks: "
+        "[{radius: 0.01, x: 0, y: 0, vx: 250}, {radius: 0.01, x: 0.022, y: 0}]}",
+        NULL, 0, &error);
+    trundle_world *world = scene ? trundle_world_new(scene, &error) : NULL;
+    if (!world) fail_msg("%s", error.text);
+    assert_int_equal(trundle_world_step(world, 100, &error), TRUNDLE_NUMERICAL);
+    double time = trundle_world_time(world);
+    assert_int_equal(trundle_world_step(world, 1, &error), TRUNDLE_BAD_CASE);
+    assert_close(trundle_world_time(world), time, 0, 0);
+    assert_int_equal(trundle_world_disk(world, 1, &disk, &error), TRUNDLE_OK);
+    trundle_world_free(world), trundle_scene_free(scene);
+
+    const char *two = "kind: bodies\ntime_end: 1\ncontact: {k_n: 1 MPa, friction: none, rolling: none}\ndisks: "
+                      "[{radius: 1, x: 0, y: 0}]\n---\nlabel: more\n";
+    scene = trundle_scene_read("two", two, NULL, 0, &error);
+    if (!scene) fail_msg("%s", error.text);
+    assert_null(trundle_world_new(scene, &error));
+    assert_int_equal(error.code, TRUNDLE_BAD_CASE);
+    trundle_scene_free(scene);
+}
+
+/* A program whose numbers have a comma: the case keeps its points, and the program its comma. */
+static void comma_locale(void **state) {
+    (void)state;
+    trundle_error error;
+    trundle_disk disk;
+    const char *found = NULL, *const names[] = {"de_DE.UTF-8", "fr_FR.UTF-8"};
+    /* Where the system has none, it may have what one is made of. */
+    if (!system("mkdir -p /tmp/trundle-locale && localedef -i de_DE -f UTF-8 /tmp/trundle-locale/de_DE.UTF-8 "
+                ">/dev/null 2>&1"))
+        setenv("LOCPATH", "/tmp/trundle-locale", 1);
+    for (size_t i = 0; i < sizeof names / sizeof *names && !found; i++) found = setlocale(LC_ALL, names[i]);
+    if (system("rm -rf /tmp/trundle-locale") || !found) skip();
+    assert_string_equal(localeconv()->decimal_point, ",");
+    trundle_scene *scene =
+        trundle_scene_read("a",
+                           "{kind: bodies, time_end: 0.5, contact: {k_n: 1.5 MPa, friction: none, rolling: none}, "
+                           "disks: [{radius: 1.75, x: 0.5, y: 0}]}",
+                           NULL, 0, &error);
+    trundle_world *world = scene ? trundle_world_new(scene, &error) : NULL;
+    if (!world) fail_msg("%s", error.text);
+    assert_int_equal(trundle_world_disk(world, 0, &disk, &error), TRUNDLE_OK);
+    assert_true(disk.radius == 1.75 && disk.x == 0.5);
+    assert_string_equal(localeconv()->decimal_point, ",");
+    trundle_contact_free(contact_of("k_n: 1.5 MPa, friction: none, rolling: none", &pair));
+    trundle_world_free(world), trundle_scene_free(scene);
+    setlocale(LC_ALL, "C");
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(spring_by_hand), cmocka_unit_test(plane_turned),
                                        cmocka_unit_test(as_in_a_world),  cmocka_unit_test(what_is_refused),
-                                       cmocka_unit_test(a_biaxial_test), cmocka_unit_test(definitions)};
+                                       cmocka_unit_test(a_biaxial_test), cmocka_unit_test(a_world_that_failed),
+                                       cmocka_unit_test(comma_locale),   cmocka_unit_test(definitions)};
     return cmocka_run_group_tests_name("api", tests, NULL, NULL);
 }

@@ -46,6 +46,7 @@ static tr_record contact_of(double q, double s1, double s2) {
 }
 
 #define CREEP "k_n: 10 MPa, friction: dahlberg-alfredsson, mu: 0.4, k_t: 10 MPa, E_star: 20 MPa"
+#define SMOOTH "k_n: 10 MPa, friction: dahlberg-alfredsson, mu: 0, k_t: 10 MPa, E_star: 20 MPa"
 #define HERTZ "normal: hertz-line, E_star: 20 MPa, friction: "
 
 /* Steady rolling: material that enters sticks. u_roll is -(s1 + s2)/2, or with Wang's rolling -(3 s1 + s2)/4 here. */
@@ -91,19 +92,55 @@ static void the_ends_slip_without_rolling(void **state) {
     }
 }
 
+/* Mindlin: the radius of the sticking circle is a (1 - q)^(1/3), 1/2 at q = 7/8. */
+static void spheres_go_by_the_cube_root(void **state) {
+    (void)state;
+    static const char text[] =
+        "kind: bodies\nshape: sphere\ntime_end: 1\ncontact: {normal: hertz-sphere, E_star: 20 MPa, "
+        "friction: kuhn-creep, mu: 0.4, nu: 0.3, rolling: none}\n"
+        "disks: [{radius: 0.01, x: 0, y: 0}, {radius: 0.03, x: 0, y: 0.03999}]\n";
+    tr_status st = {0};
+    pair p;
+    if (!tr_scene_read(&p.scene, "a.yaml", text, strlen(text), NULL, 0, tr_laws_catalog(), &st) ||
+        !tr_bodies_init(&p.b, &p.scene, &st))
+        fail_msg("%s", st.text);
+    tr_record r = contact_of(7.0 / 8, -1, -1);
+    double stick[2];
+    tr_frame_stick(&p.b.world, &r, stick);
+    assert_close(stick[0], -1, 0, 1e-12);
+    assert_close(stick[1], 0, 0, 1e-12); /* half of 2a, from the entering edge */
+    close_pair(&p);
+}
+
+/* A wall does not turn: V_r of Wang is s2 alone there, the mean flow half of both. */
+static void a_wall(void **state) {
+    (void)state;
+    for (int wang = 0; wang < 2; wang++) {
+        pair p = open_pair(wang ? CREEP ", creep_roll: wang" : CREEP);
+        double stick[2];
+        tr_record r = contact_of(0.75, 3, -1); /* s1 + s2 > 0, s2 < 0 */
+        r.a = -1, r.R1 = 0;
+        tr_frame_stick(&p.b.world, &r, stick);
+        assert_close(stick[0], wang ? -1 : 0, 0, 1e-12);
+        assert_close(stick[1], wang ? 0 : 1, 0, 1e-12);
+        close_pair(&p);
+    }
+}
+
 /* A spring sticks as a whole until it slips as a whole; without friction all slips; broken numbers break nothing. */
 static void all_or_nothing(void **state) {
     (void)state;
     pair spring = open_pair("k_n: 10 MPa, friction: coulomb-spring, mu: 0.4, k_t: 10 MPa"),
-         none = open_pair("k_n: 10 MPa, friction: none");
+         none = open_pair("k_n: 10 MPa, friction: none"), smooth = open_pair(SMOOTH);
     const double q[] = {0, 0.5, 0.999, 1, NAN, INFINITY, -1};
     const double slips[] = {0, 0, 0, 1, 0, 1, 0};
     for (int i = 0; i < 7; i++) {
         tr_record r = contact_of(q[i], 1, 1);
         assert_close(tr_frame_field(&spring.b.world, &r, TR_COLOR_SLIP), slips[i], 0, 0);
         assert_close(tr_frame_field(&none.b.world, &r, TR_COLOR_SLIP), 1, 0, 0);
+        assert_close(tr_frame_field(&smooth.b.world, &r, TR_COLOR_SLIP), 1, 0, 0);
     }
-    close_pair(&spring), close_pair(&none);
+    close_pair(&spring), close_pair(&none), close_pair(&smooth);
 }
 
 static unsigned pixel(const tr_canvas *canvas, int x, int y) {
@@ -152,6 +189,33 @@ static void a_bar_in_two_colours(void **state) {
     tr_canvas_free(canvas), close_pair(&p);
 }
 
+/* Without a bar at its image a contact at the edge of a cell is seen once. */
+static void in_a_cell(void **state) {
+    (void)state;
+    tr_status st = {0};
+    pair p = open_pair(CREEP);
+    tr_canvas *canvas = tr_canvas_create(&st);
+    p.b.world.cell.side[0] = p.b.world.cell.side[1] = 0.07;
+    tr_record r = contact_of(0, 0, 0);
+    r.x = 0.035; /* half of it on either side */
+    tr_view view = {.world = &p.b.world,
+                    .record = &r,
+                    .n_records = 1,
+                    .color = TR_COLOR_SLIP,
+                    .f_mean = 100,
+                    .range = 1,
+                    .x0 = -0.05,
+                    .x1 = 0.05,
+                    .y0 = -0.05,
+                    .y1 = 0.05};
+    tr_draw_biaxial(canvas, &view);
+    int left = 0, right = 0;
+    for (int x = 0; x < 840; x++)
+        for (int y = 100; y < 600; y++) *(x < 420 ? &left : &right) += pixel(canvas, x, y) == TR_STICKS;
+    assert_true(left > 100 && right > 100);
+    tr_canvas_free(canvas), close_pair(&p);
+}
+
 /* Read by a leak-checking build: fontconfig keeps its caches to the end. */
 const char *__lsan_default_suppressions(void);
 const char *__lsan_default_suppressions(void) {
@@ -161,6 +225,10 @@ const char *__lsan_default_suppressions(void) {
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(creep_slips_where_material_leaves),
                                        cmocka_unit_test(the_ends_slip_without_rolling),
-                                       cmocka_unit_test(all_or_nothing), cmocka_unit_test(a_bar_in_two_colours)};
+                                       cmocka_unit_test(spheres_go_by_the_cube_root),
+                                       cmocka_unit_test(a_wall),
+                                       cmocka_unit_test(in_a_cell),
+                                       cmocka_unit_test(all_or_nothing),
+                                       cmocka_unit_test(a_bar_in_two_colours)};
     return cmocka_run_group_tests_name("slip", tests, NULL, NULL);
 }
