@@ -37,6 +37,7 @@
 #define TR_BED_H
 
 #include "laws/law.h"
+#include "laws/material.h"
 
 /* History: number of points, count of those that did not fit, then s [m], e [m] and P(s) of each. P is kept because it is
  * dear: a step asks the normal law for that of a new breakpoint only. */
@@ -47,11 +48,7 @@ typedef struct tr_bed_par {
     double mu, nu;
 } tr_bed_par;
 
-#define TR_BED_PARAMS(par)                                                                                             \
-    {"mu", TR_REAL, TR_DIM_NUMBER, "1", NULL, 0, 100, NULL, offsetof(par, bed.mu), "friction coefficient"}, {          \
-        "nu", TR_REAL, TR_DIM_NUMBER, "1", "0.3", -0.999, 0.5, NULL, offsetof(par, bed.nu),                            \
-            "Poisson's ratio, for spheres only"                                                                        \
-    }
+#define TR_BED_PARAMS(par) TR_ROW_MU(par, bed.mu, 0), TR_ROW_NU(par, bed.nu)
 
 /* One contact, taken out of the history. */
 typedef struct tr_bed {

@@ -8,15 +8,15 @@
  */
 #include "base/vector.h"
 #include "laws/law.h"
+#include "laws/material.h"
 
 typedef struct par {
     double mu, k_t;
 } par;
 
 static const tr_param params[] = {
-    {"mu", TR_REAL, TR_DIM_NUMBER, "1", NULL, 0, 100, NULL, offsetof(par, mu), "friction coefficient"},
-    {"k_t", TR_REAL, TR_DIM_STIFFNESS, "Pa|N/m", "0.5*k_n", 1e-3, 1e15, NULL, offsetof(par, k_t),
-     "tangential stiffness"},
+    TR_ROW_MU(par, mu, 0),
+    TR_ROW_K_T(par, k_t),
 };
 
 TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict data) {

@@ -30,6 +30,7 @@
 #include "laws/dahlberg_exact.h"
 #include "laws/dahlberg_load.h"
 #include "laws/law.h"
+#include "laws/material.h"
 
 #include <math.h>
 
@@ -39,13 +40,10 @@ typedef struct par {
 } par;
 
 static const tr_param params[] = {
-    {"mu", TR_REAL, TR_DIM_NUMBER, "1", NULL, 0, 100, NULL, offsetof(par, mu), "friction coefficient"},
-    {"k_t", TR_REAL, TR_DIM_STIFFNESS, "Pa|N/m", "0.5*k_n", 1e-3, 1e15, NULL, offsetof(par, k_t),
-     "tangential stiffness"},
-    {"E_star", TR_REAL, TR_DIM_MODULUS, "Pa", NULL, 1e-3, 1e15, NULL, offsetof(par, E_star),
-     "contact modulus, 1/E_star = sum of (1 - nu^2)/E of the two; sets the contact width"},
-    {"creep_roll", TR_CHOICE, TR_DIM_NUMBER, "", "kuhn", 0, 0, "kuhn|wang", offsetof(par, creep_roll),
-     "rolling that creeps: kuhn (s1 + s2)/2, the mean flow of material; wang R1R2/(R1+R2) (w1 - w2)"},
+    TR_ROW_MU(par, mu, 0),
+    TR_ROW_K_T(par, k_t),
+    TR_ROW_E_STAR(par, E_star),
+    TR_ROW_CREEP_ROLL(par, creep_roll),
     {"step", TR_CHOICE, TR_DIM_NUMBER, "", "backward-euler", 0, 0, "backward-euler|exact", offsetof(par, step),
      "how a step is solved: backward-euler, of first order; exact, for kind: contact only"},
 };

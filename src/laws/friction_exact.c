@@ -2,6 +2,7 @@
 /* The exact contact among the laws: no formula for Q, but the tractions inside, solved by patch/half_plane.c. Only the
  * driver of kind: contact has it, to overlay it with the laws that are in assemblies; laws/ does not see patch/. */
 #include "laws/law.h"
+#include "laws/material.h"
 
 typedef struct par {
     double mu, E_star, depth;
@@ -9,11 +10,9 @@ typedef struct par {
 } par;
 
 static const tr_param params[] = {
-    {"mu", TR_REAL, TR_DIM_NUMBER, "1", NULL, 1e-9, 100, NULL, offsetof(par, mu), "friction coefficient"},
-    {"E_star", TR_REAL, TR_DIM_MODULUS, "Pa", NULL, 1e-3, 1e15, NULL, offsetof(par, E_star),
-     "contact modulus, 1/E_star = sum of (1 - nu^2)/E of the two"},
-    {"depth", TR_REAL, TR_DIM_LENGTH, "m", "0", 0, 1e6, NULL, offsetof(par, depth),
-     "d of the tangential displacement; 0: that of the disks, 2 sqrt(R1 R2)/e"},
+    TR_ROW_MU(par, mu, 1e-9),
+    TR_ROW_E_STAR(par, E_star),
+    TR_ROW_DEPTH(par, depth),
     {"elements", TR_COUNT, TR_DIM_NUMBER, "", "200", 3, 4000, NULL, offsetof(par, elements),
      "elements across the contact"},
 };

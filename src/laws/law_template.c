@@ -24,6 +24,7 @@
  */
 #include "base/vector.h"
 #include "laws/law.h"
+#include "laws/material.h"
 
 #include <math.h>
 
@@ -36,8 +37,8 @@ typedef struct par {
  * must give it), least, greatest, choices, place, meaning. Scenes, the resolved case and `trundle laws` read the rows.
  * Where other laws have the same quantity, take their key: a scene says it once. */
 static const tr_param params[] = {
-    {"mu_r", TR_REAL, TR_DIM_NUMBER, "1", NULL, 0, 100, NULL, offsetof(par, mu_r), "coefficient of rolling resistance"},
-    {"k_r", TR_REAL, TR_DIM_STIFFNESS, "Pa|N/m", "k_t", 1e-3, 1e15, NULL, offsetof(par, k_r), "rolling stiffness"},
+    TR_ROW_MU_R(par, mu_r, NULL),
+    TR_ROW_K_R(par, k_r),
     {"rolling_damping", TR_REAL, TR_DIM_NUMBER, "1", "0.3", 0, 10, NULL, offsetof(par, rolling_damping),
      "rolling dashpot, as a share of critical damping of the pair"},
 };

@@ -19,6 +19,7 @@
  */
 #include "base/vector.h"
 #include "laws/law.h"
+#include "laws/material.h"
 
 #include <float.h>
 #include <math.h>
@@ -33,12 +34,9 @@ typedef struct par {
 } par;
 
 static const tr_param params[] = {
-    {"E_star", TR_REAL, TR_DIM_MODULUS, "Pa", NULL, 1e-3, 1e15, NULL, offsetof(par, E_star),
-     "contact modulus, 1/E_star = sum of (1 - nu^2)/E of the two"},
-    {"depth", TR_REAL, TR_DIM_LENGTH, "m", "0", 0, 1e6, NULL, offsetof(par, depth),
-     "d of the approach (2P/(pi E_star)) (ln(2d/a) + 1/2); 0: that of the disks, 2 sqrt(R1 R2)/e"},
-    {"damping_ratio", TR_REAL, TR_DIM_NUMBER, "1", "0.3", 0, 10, NULL, offsetof(par, damping_ratio),
-     "normal dashpot, as a share of critical damping of the pair at the stiffness of now"},
+    TR_ROW_E_STAR(par, E_star),
+    TR_ROW_DEPTH(par, depth),
+    TR_ROW_DAMPING_RATIO(par, damping_ratio),
 };
 
 /* What all formulas need. */

@@ -12,6 +12,7 @@
  */
 #include "base/vector.h"
 #include "laws/law.h"
+#include "laws/material.h"
 
 #include <math.h>
 
@@ -20,10 +21,8 @@ typedef struct par {
 } par;
 
 static const tr_param params[] = {
-    {"E_star", TR_REAL, TR_DIM_MODULUS, "Pa", NULL, 1e-3, 1e15, NULL, offsetof(par, E_star),
-     "contact modulus, 1/E_star = sum of (1 - nu^2)/E of the two"},
-    {"damping_ratio", TR_REAL, TR_DIM_NUMBER, "1", "0.3", 0, 10, NULL, offsetof(par, damping_ratio),
-     "normal dashpot, as a share of critical damping of the pair at the stiffness of now"},
+    TR_ROW_E_STAR(par, E_star),
+    TR_ROW_DAMPING_RATIO(par, damping_ratio),
 };
 
 static void pair(const void *par_, const tr_pair_bodies *bodies, double *constants) {

@@ -8,6 +8,7 @@
  */
 #include "base/vector.h"
 #include "laws/law.h"
+#include "laws/material.h"
 
 #include <math.h>
 
@@ -17,8 +18,7 @@ typedef struct par {
 
 static const tr_param params[] = {
     {"k_n", TR_REAL, TR_DIM_STIFFNESS, "Pa|N/m", NULL, 1e-3, 1e15, NULL, offsetof(par, k_n), "normal stiffness"},
-    {"damping_ratio", TR_REAL, TR_DIM_NUMBER, "1", "0.3", 0, 10, NULL, offsetof(par, damping_ratio),
-     "normal dashpot, as a share of critical damping of the pair"},
+    TR_ROW_DAMPING_RATIO(par, damping_ratio),
 };
 
 static double dashpot(const par *p, const tr_pair_bodies *b) {

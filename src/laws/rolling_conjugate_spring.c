@@ -29,14 +29,15 @@
 #include "laws/rolling_conjugate_spring.h"
 
 #include "base/vector.h"
+#include "laws/material.h"
 
 typedef struct par {
     double mu_r, k_r;
 } par;
 
 static const tr_param params[] = {
-    {"mu_r", TR_REAL, TR_DIM_NUMBER, "1", NULL, 0, 100, NULL, offsetof(par, mu_r), "coefficient of rolling resistance"},
-    {"k_r", TR_REAL, TR_DIM_STIFFNESS, "Pa|N/m", "k_t", 1e-3, 1e15, NULL, offsetof(par, k_r), "rolling stiffness"},
+    TR_ROW_MU_R(par, mu_r, NULL),
+    TR_ROW_K_R(par, k_r),
 };
 
 enum { T_, P1, P2, N_HIST };
@@ -89,7 +90,7 @@ static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *b) {
     const par *p = par_;
     const double R1 = b->R1, R2 = b->R2, g1 = R1 > 0 ? R1 / (R1 + R2) : 1, share = b->p1 + b->p2,
                  e = g1 * share - b->p2;
-    const double R_eff = R1 > 0 ? R1 * R2 / (R1 + R2) : R2;
+    const double R_eff = tr_law_R_star(R1, R2);
     return (tr_stiffness){.k = p->mu_r > 0 ? p->k_r : 0,
                           .lever1 = share * R_eff + e * R1,
                           .lever2 = share * R_eff - e * R2,

@@ -20,6 +20,7 @@
  */
 #include "base/vector.h"
 #include "laws/law.h"
+#include "laws/material.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -31,10 +32,8 @@ typedef struct par {
 } par;
 
 static const tr_param params[] = {
-    {"mu_r", TR_REAL, TR_DIM_NUMBER, "1", "0.1", 0, 100, NULL, offsetof(par, mu_r),
-     "coefficient of rolling resistance"},
-    {"R_eq", TR_CHOICE, TR_DIM_NUMBER, "", "harmonic", 0, 0, "harmonic|half", offsetof(par, R_eq),
-     "equivalent radius: harmonic: 2R1R2/(R1+R2), at a wall 2R2; half: R1R2/(R1+R2), at a wall R2"},
+    TR_ROW_MU_R(par, mu_r, "0.1"),
+    TR_ROW_R_EQ(par, R_eq),
     {"limiter", TR_SWITCH, TR_DIM_NUMBER, "", "no", 0, 0, NULL, offsetof(par, limiter), "moment limiter"},
     {"limiter_factor", TR_REAL, TR_DIM_NUMBER, "1", "0.08", 0, 1, NULL, offsetof(par, limiter_factor),
      "share of the moment that stops the lesser rotation in one step"},

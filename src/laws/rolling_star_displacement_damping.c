@@ -22,6 +22,7 @@
  */
 #include "base/vector.h"
 #include "laws/law.h"
+#include "laws/material.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -33,12 +34,10 @@ typedef struct par {
 } par;
 
 static const tr_param params[] = {
-    {"mu_r", TR_REAL, TR_DIM_NUMBER, "1", "0.1", 0, 100, NULL, offsetof(par, mu_r),
-     "coefficient of rolling resistance"},
+    TR_ROW_MU_R(par, mu_r, "0.1"),
     {"theta_max", TR_REAL, TR_DIM_NUMBER, "rad", "0.035", 1e-9, 10, NULL, offsetof(par, theta_max),
      "largest angular displacement before rolling"},
-    {"R_eq", TR_CHOICE, TR_DIM_NUMBER, "", "harmonic", 0, 0, "harmonic|half", offsetof(par, R_eq),
-     "equivalent radius: harmonic: 2R1R2/(R1+R2), at a wall 2R2; half: R1R2/(R1+R2), at a wall R2"},
+    TR_ROW_R_EQ(par, R_eq),
     {"damping", TR_SWITCH, TR_DIM_NUMBER, "", "no", 0, 0, NULL, offsetof(par, damping), "viscous moment"},
     {"damping_factor", TR_REAL, TR_DIM_NUMBER, "1", "0.3", 0, 10, NULL, offsetof(par, damping_factor),
      "viscous moment, as a share of critical"},

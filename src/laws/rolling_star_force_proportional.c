@@ -20,6 +20,7 @@
  */
 #include "base/vector.h"
 #include "laws/law.h"
+#include "laws/material.h"
 
 #include <math.h>
 
@@ -28,8 +29,7 @@ typedef struct par {
 } par;
 
 static const tr_param params[] = {
-    {"mu_r", TR_REAL, TR_DIM_NUMBER, "1", "0.001", 0, 100, NULL, offsetof(par, mu_r),
-     "coefficient of rolling resistance"},
+    TR_ROW_MU_R(par, mu_r, "0.001"),
 };
 
 /* Shares of the inertias [kg m], and 1 where friction changes the spin. One that is given is not stopped by anything: as

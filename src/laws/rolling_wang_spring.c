@@ -13,14 +13,15 @@
  */
 #include "base/vector.h"
 #include "laws/law.h"
+#include "laws/material.h"
 
 typedef struct par {
     double mu_r, k_r;
 } par;
 
 static const tr_param params[] = {
-    {"mu_r", TR_REAL, TR_DIM_NUMBER, "1", NULL, 0, 100, NULL, offsetof(par, mu_r), "coefficient of rolling resistance"},
-    {"k_r", TR_REAL, TR_DIM_STIFFNESS, "Pa|N/m", "k_t", 1e-3, 1e15, NULL, offsetof(par, k_r), "rolling stiffness"},
+    TR_ROW_MU_R(par, mu_r, NULL),
+    TR_ROW_K_R(par, k_r),
 };
 
 TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict data) {
@@ -50,7 +51,7 @@ TR_VECTOR static void state(const tr_tile *restrict tile, const tr_law_data *res
 
 static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *bodies) {
     const par *p = par_;
-    double R_eff = bodies->R1 > 0 ? bodies->R1 * bodies->R2 / (bodies->R1 + bodies->R2) : bodies->R2;
+    double R_eff = tr_law_R_star(bodies->R1, bodies->R2);
     return (tr_stiffness){.k = p->mu_r > 0 ? p->k_r : 0, .lever1 = R_eff, .lever2 = R_eff};
 }
 

@@ -432,6 +432,29 @@ static void test_catalog(void **state) {
     assert_int_equal(without, 2);
 }
 
+/* A key that two laws share means the same quantity in both: a scene gives it once. Its row stands in material.h. */
+static void a_key_means_the_same_in_every_law(void **state) {
+    (void)state;
+    const tr_param_catalog *c = tr_laws_catalog();
+    const tr_param_table *tables[64];
+    int n = 0, shared = 0;
+    for (int i = 0; i < c->n_normal; i++) tables[n++] = c->normal[i];
+    for (int i = 0; i < c->n_friction; i++) tables[n++] = c->friction[i];
+    for (int i = 0; i < c->n_rolling; i++) tables[n++] = c->rolling[i];
+    for (int a = 0; a < n; a++)
+        for (int b = 0; b < a; b++)
+            for (int i = 0; i < tables[a]->n; i++)
+                for (int j = 0; j < tables[b]->n; j++) {
+                    const tr_param *p = &tables[a]->params[i], *q = &tables[b]->params[j];
+                    if (strcmp(p->key, q->key)) continue;
+                    shared++;
+                    if (p->type != q->type || memcmp(&p->dim, &q->dim, sizeof p->dim) || strcmp(p->unit, q->unit) ||
+                        strcmp(p->doc, q->doc) || p->max != q->max)
+                        fail_msg("%s of %s and of %s: take the row of laws/material.h", p->key, tables[b]->name, tables[a]->name);
+                }
+    assert_true(shared > 20); /* mu, nu, E_star, mu_r, k_t, k_r, damping_ratio and more, each in two laws at least */
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         law_test(test_nothing_without_overlap),
@@ -441,6 +464,7 @@ int main(void) {
         cmocka_unit_test(test_closed_cycle),
         law_test(test_stiffness_is_what_the_law_shows),
         law_test(test_catalog),
+        cmocka_unit_test(a_key_means_the_same_in_every_law),
     };
     return cmocka_run_group_tests_name("laws", tests, NULL, NULL);
 }
