@@ -157,20 +157,29 @@ static double largest(int n, const double *v) {
     return most;
 }
 
-/* t and s of a guess; returns the largest |b - A t - s|. The factors are good to about the condition number times
- * rounding: one or two more passes remove that. */
-static double guess(tr_bounded *o, const double *bound, const double *b, const signed char *side, double *t,
-                    double *s) {
+/* One problem and its answer so far, as tr_bounded_solve has them. */
+typedef struct problem {
+    const double *bound, *b;
+    signed char *side;
+    double *t, *s;
+    double slack_t, slack_s; /* a condition on t or on s may be passed by this much */
+    double left;             /* the largest |b - A t - s| */
+} problem;
+
+/* t and s of a guess. The factors are good to about the condition number times rounding: one or two more passes remove
+ * that. */
+static void guess(tr_bounded *o, problem *p) {
     enum { PASSES = 3 };
-    double scale = largest(o->n, b), left = INFINITY;
-    if (!factor(o, side)) return INFINITY;
-    for (int i = 0; i < o->n; i++) t[i] = side[i] * bound[i], s[i] = 0;
+    double scale = largest(o->n, p->b);
+    p->left = INFINITY;
+    if (!factor(o, p->side)) return;
+    for (int i = 0; i < o->n; i++) p->t[i] = p->side[i] * p->bound[i], p->s[i] = 0;
     for (int pass = 0;; pass++) {
-        for (int i = 0; i < o->n; i++) o->rest[i] = b[i] - s[i];
-        add_product(matrix_A(o), o->n, o->n, NULL, t, -1, o->rest);
-        left = largest(o->n, o->rest);
-        if (pass == PASSES || left <= 1e-14 * scale) return left;
-        increment(o, t, s);
+        for (int i = 0; i < o->n; i++) o->rest[i] = p->b[i] - p->s[i];
+        add_product(matrix_A(o), o->n, o->n, NULL, p->t, -1, o->rest);
+        p->left = largest(o->n, o->rest);
+        if (pass == PASSES || p->left <= 1e-14 * scale) return;
+        increment(o, p->t, p->s);
     }
 }
 
@@ -182,27 +191,23 @@ double tr_bounded_slope(tr_bounded *o, double *t, double *s) {
     return sum;
 }
 
-/* By which a condition may be passed. */
-typedef struct slack {
-    double t, s;
-} slack;
-
 /* Where an i belongs by its t and s. */
-static signed char belongs(signed char side, double t, double s, double bound, slack by) {
-    if (side) return side * s < -by.s ? 0 : side;
-    return (signed char)((t > bound + by.t) - (t < -bound - by.t));
+static signed char belongs(const problem *p, int i) {
+    double t = p->t[i], s = p->s[i];
+    signed char side = p->side[i];
+    if (side) return side * s < -p->slack_s ? 0 : side;
+    return (signed char)((t > p->bound[i] + p->slack_t) - (t < -p->bound[i] - p->slack_t));
 }
 
-/* Moves every i that breaks a condition. False where that has stopped to help. */
-static bool blocks(tr_bounded *o, const double *bound, const double *b, slack by, signed char *side, double *t,
-                   double *s, double *left) {
+/* Moves every i that breaks a condition. False when that no longer helps. */
+static bool blocks(tr_bounded *o, problem *p) {
     enum { PATIENCE = 4 };
     for (int fewest = o->n + 1, patience = PATIENCE; patience > 0;) {
         int moved = 0;
-        *left = guess(o, bound, b, side, t, s);
+        guess(o, p);
         for (int i = 0; i < o->n; i++) {
-            signed char to = belongs(side[i], t[i], s[i], bound[i], by);
-            moved += to != side[i], side[i] = to;
+            signed char to = belongs(p, i);
+            moved += to != p->side[i], p->side[i] = to;
         }
         if (!moved) return true;
         if (moved < fewest)
@@ -214,9 +219,10 @@ static bool blocks(tr_bounded *o, const double *bound, const double *b, slack by
 }
 
 /* From a point within the bounds straight towards the answer of its guess: to the first bound in the way, which then
- * holds, or all the way, and then the worst of the slips against traction is released. */
-static bool descend(tr_bounded *o, const double *bound, const double *b, slack by, signed char *side, double *t,
-                    double *s, double *left) {
+ * holds, or the whole way, and then the worst of the slips against traction is released. */
+static bool descend(tr_bounded *o, problem *p) {
+    const double *bound = p->bound, *t = p->t, *s = p->s;
+    signed char *side = p->side;
     double *point = o->point;
     for (int i = 0; i < o->n; i++) {
         point[i] = fmin(fmax(t[i], -bound[i]), bound[i]);
@@ -225,16 +231,16 @@ static bool descend(tr_bounded *o, const double *bound, const double *b, slack b
     }
     for (int round = 0; round < 20 * o->n + 100; round++) {
         int met = -1, worst = -1;
-        double part = 1;
-        *left = guess(o, bound, b, side, t, s);
+        double way = 1;
+        guess(o, p);
         for (int i = 0; i < o->n; i++) {
-            signed char to = belongs(side[i], t[i], s[i], bound[i], by);
+            signed char to = belongs(p, i);
             if (to == side[i]) continue;
             double until = side[i] ? 1 : (to * bound[i] - point[i]) / (t[i] - point[i]);
-            if (until < part) met = i, part = until;
+            if (until < way) met = i, way = until;
             if (side[i] && (worst < 0 || side[i] * s[i] < side[worst] * s[worst])) worst = i;
         }
-        for (int i = 0; i < o->n; i++) point[i] += part * (t[i] - point[i]);
+        for (int i = 0; i < o->n; i++) point[i] += way * (t[i] - point[i]);
         if (met >= 0)
             side[met] = t[met] > 0 ? 1 : -1, point[met] = side[met] * bound[met];
         else if (worst >= 0)
@@ -247,10 +253,10 @@ static bool descend(tr_bounded *o, const double *bound, const double *b, slack b
 
 bool tr_bounded_solve(tr_bounded *o, const double *bound, const double *b, signed char *side, double *t, double *s,
                       tr_status *st) {
-    double b_max = largest(o->n, b), left = INFINITY;
-    slack by = {1e-13 * largest(o->n, bound), 1e-13 * b_max};
-    bool found = blocks(o, bound, b, by, side, t, s, &left) || descend(o, bound, b, by, side, t, s, &left);
-    if (found && left <= 1e-12 * b_max) return true;
+    double b_max = largest(o->n, b);
+    problem p = {bound, b, side, t, s, 1e-13 * largest(o->n, bound), 1e-13 * b_max, INFINITY};
+    bool found = blocks(o, &p) || descend(o, &p);
+    if (found && p.left <= 1e-12 * b_max) return true;
     return tr_status_fail(st, TR_NUMERICAL, "error: %s for %d elements in contact, residual %.1e of %.1e",
-                          found ? "inexact tractions" : "no tractions", o->n, left, b_max);
+                          found ? "inexact tractions" : "no tractions", o->n, p.left, b_max);
 }

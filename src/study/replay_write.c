@@ -110,32 +110,37 @@ static bool is_in(const struct classes *c, int k, double value) {
     return value > c->end[k] && value <= c->end[k + 1];
 }
 
-/* of_rows: errors of force at rows, else errors of energy of lives. */
-static void collect(const tr_replay *r, bool of_rows, int by, int k, int law, sample *s) {
-    const struct classes *c = &classes[by];
+/* Which errors, of which law: of_rows: of force at rows, else of energy of lives; those in class k of classes[by]. */
+typedef struct wanted {
+    bool of_rows;
+    int law, by, k;
+} wanted;
+
+static void collect(const tr_replay *r, wanted of, sample *s) {
+    const struct classes *c = &classes[of.by];
+    const bool of_rows = of.of_rows;
     s->n = 0, s->sum = s->squares = 0;
     for (int i = 0; i < (of_rows ? r->n_rows : r->n_lives); i++) {
         const tr_replay_life *life = &r->life[of_rows ? r->row[i].life : i];
         if (!life->done || (of_rows ? !(r->row[i].P > 0) : !(life->full > 0))) continue;
         double rolled = of_rows ? r->rolled[i] : life->rolled;
-        double at = !by ? 0 : by == 2 ? rolled : of_rows ? mobilisation(r, i) : largest_mobilisation(r, life);
-        if (is_in(c, k, at)) add(s, of_rows ? force_error(r, i, law) : energy_error(life, law));
+        double at = !of.by ? 0 : of.by == 2 ? rolled : of_rows ? mobilisation(r, i) : largest_mobilisation(r, life);
+        if (is_in(c, of.k, at)) add(s, of_rows ? force_error(r, i, of.law) : energy_error(life, of.law));
     }
     qsort(s->e, (size_t)s->n, sizeof *s->e, compare);
 }
 
-static bool write_class(const tr_replay *r, bool of_rows, int by, int k, int law, sample *s, tr_file *file,
-                        tr_status *st) {
+static bool write_class(const tr_replay *r, wanted of, sample *s, tr_file *file, tr_status *st) {
     const double shares[] = {0.5, 0.75, 0.9, 0.99, 1};
-    const struct classes *c = &classes[by];
-    collect(r, of_rows, by, k, law, s);
+    const struct classes *c = &classes[of.by];
+    collect(r, of, s);
     if (ftell(file->stream) == 0)
         fputs("error_of,law,by,above,up_to,n,mean,rms,median,q75,q90,q99,max\n", file->stream);
     if (!s->n) return true;
     double number[7] = {s->sum / s->n, sqrt(s->squares / s->n)};
     for (int i = 0; i < 5; i++) number[2 + i] = quantile(s->e, s->n, shares[i]);
-    fprintf(file->stream, "%s,%s,%s,%g,%g,%d", of_rows ? "force" : "energy", r->name[law], c->name, c->end[k],
-            c->end[k + 1], s->n);
+    fprintf(file->stream, "%s,%s,%s,%g,%g,%d", of.of_rows ? "force" : "energy", r->name[of.law], c->name,
+            c->end[of.k], c->end[of.k + 1], s->n);
     for (int i = 0; i < 7; i++) putc(',', file->stream), tr_cell_put(file->stream, number[i], 6);
     fputc('\n', file->stream);
     return tr_file_check(file, st);
@@ -147,7 +152,7 @@ static void report_law(const tr_replay *r, int law, sample *s, tr_run_report *re
         if (!r->life[k].done) continue;
         work += r->life[k].work[law], exact += r->life[k].work[TR_REPLAY_EXACT];
     }
-    collect(r, true, 0, 0, law, s);
+    collect(r, (wanted){.of_rows = true, .law = law}, s);
     if (!s->n || exact == 0)
         tr_run_say(report, r->name[law], "no contact does work by friction");
     else
@@ -163,7 +168,8 @@ static bool write_errors(const tr_replay *r, const char *dir, tr_run_report *rep
     for (int of_rows = 1; of_rows >= 0; of_rows--)
         for (int law = TR_REPLAY_OWN; law < r->n_columns; law++)
             for (int by = 0; by < N_CLASSES; by++)
-                for (int k = 0; ok && k < classes[by].n; k++) ok = write_class(r, of_rows, by, k, law, &s, &file, st);
+                for (int k = 0; ok && k < classes[by].n; k++)
+                    ok = write_class(r, (wanted){of_rows, law, by, k}, &s, &file, st);
     for (int law = TR_REPLAY_OWN; ok && law < r->n_columns; law++) report_law(r, law, &s, report);
     free(s.e);
     if (ok) return tr_file_commit(&file, st);

@@ -119,9 +119,13 @@ static bool add_points(tr_verify *v, variant *of, bool base, tr_status *st) {
     return true;
 }
 
-/* standard_errors: three of them, of 12 seeds. */
-static bool add_row(tr_verify *v, const variant *of, const variant *base, double reference, double standard_errors,
-                    double digit, const char *reason, tr_status *st) {
+/* What the residual sin phi of a variant, or its difference from the base, is compared with. */
+typedef struct expected {
+    double reference, standard_errors, digit; /* standard_errors: three of them, of 12 seeds */
+    const char *reason;
+} expected;
+
+static bool add_row(tr_verify *v, const variant *of, const variant *base, expected e, tr_status *st) {
     int seeds = some[all(v)];
     double mean, half;
     char name[80], said[80];
@@ -131,10 +135,10 @@ static bool add_row(tr_verify *v, const variant *of, const variant *base, double
     return tr_verify_add(v,
                          &(tr_verify_row){.quantity = name,
                                           .unit = "1",
-                                          .reference = reference,
+                                          .reference = e.reference,
                                           .computed = mean,
-                                          .tolerance = standard_errors * sqrt((double)SEEDS / seeds) + digit,
-                                          .reason = reason,
+                                          .tolerance = e.standard_errors * sqrt((double)SEEDS / seeds) + e.digit,
+                                          .reason = e.reason,
                                           .order = NAN,
                                           .outcome = said},
                          st);
@@ -161,12 +165,12 @@ bool tr_precision_biaxial(tr_verify *v, tr_status *st) {
     for (int seed = 0; seed < some[all(v)]; seed++)
         for (int i = 0; i < N; i++)
             if (!tr_verify_go_on(v, st) || !test(&variants[i], seed, st)) return false;
-    bool ok = add_row(v, &variants[MU_R_0], NULL, 0.28, 0.071, 0.009,
-                      "three standard errors, and the last digit of 0.28", st);
+    bool ok = add_row(v, &variants[MU_R_0], NULL,
+                      (expected){0.28, 0.071, 0.009, "three standard errors, and the last digit of 0.28"}, st);
     for (int i = 0; i < N && ok; i++) {
         if (i == BASE || i == MU_R_0 || i == WITH_CREEP) continue;
         const variant *base = &variants[i < WITH_CREEP ? BASE : WITH_CREEP];
-        ok = add_row(v, &variants[i], base, 0, 0.10, 0, "three standard errors of a difference", st);
+        ok = add_row(v, &variants[i], base, (expected){0, 0.10, 0, "three standard errors of a difference"}, st);
     }
     for (int i = 0; i < N && ok; i++) ok = add_points(v, &variants[i], i == BASE, st);
     return ok;

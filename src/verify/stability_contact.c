@@ -17,7 +17,8 @@
     "mu: 0.3}\n"                                                                                                       \
     "  - {friction: exact, mu: 0.3, elements: 64}\n"
 #define ROLLING                                                                                                        \
-    "laws:\n  - {rolling: wang-spring, mu_r: 0.1, k_r: 1 GPa}\n  - {rolling: conjugate-spring, rolling_velocity: bagi-kuhn, mu_r: 0.1, k_r: 1 "  \
+    "laws:\n  - {rolling: wang-spring, mu_r: 0.1, k_r: 1 GPa}\n  - {rolling: conjugate-spring, rolling_velocity: "     \
+    "bagi-kuhn, mu_r: 0.1, k_r: 1 "                                                                                    \
     "GPa}\n"                                                                                                           \
     "  - {rolling: star-constant-torque, mu_r: 0.1}\n  - {rolling: star-displacement-damping, mu_r: 0.1, damping: "    \
     "yes}\n"                                                                                                           \
@@ -52,28 +53,38 @@ static bool drive(tr_verify *v, const char *text, extremes *e, tr_status *st) {
     return ok && tr_verify_go_on(v, st);
 }
 
-/* The law that is furthest from what it should be, of n. */
-static bool worst(tr_verify *v, const char *what, const double *value, const char *const *law, int n, double reference,
-                  double tolerance, const char *reason, tr_status *st) {
+/* Numbers of n laws. */
+typedef struct values {
+    const double *value;
+    const char *const *law;
+    int n;
+} values;
+
+/* The law that is furthest from the reference. */
+static bool worst(tr_verify *v, const char *what, values of, double reference, double tolerance, const char *reason,
+                  tr_status *st) {
     char quantity[80];
     int far = 0;
-    for (int i = 1; i < n; i++)
-        if (fabs(value[i] - reference) > fabs(value[far] - reference)) far = i;
-    snprintf(quantity, sizeof quantity, "%s, worst %s", what, law[far]);
-    return tr_verify_add(v, &(tr_verify_row){quantity, "1", reference, value[far], tolerance, reason, NAN, NULL}, st);
+    for (int i = 1; i < of.n; i++)
+        if (fabs(of.value[i] - reference) > fabs(of.value[far] - reference)) far = i;
+    snprintf(quantity, sizeof quantity, "%s, worst %s", what, of.law[far]);
+    return tr_verify_add(v, &(tr_verify_row){quantity, "1", reference, of.value[far], tolerance, reason, NAN, NULL},
+                         st);
 }
 
 bool tr_stability_pure_motions(tr_verify *v, tr_status *st) {
     const char *const spin = rolling_name[ROLLINGS - 1]; /* brakes each body's own spin, also of equal ones */
     extremes e;
     return drive(v, HEAD FRICTION "path: [{force: 10 kN/m, roll: 20*a, steps: 200}]\n", &e, st) &&
-           worst(v, "rolling alone: Q/(mu P)", e.q, friction_name, FRICTIONS, 0, 1e-9, "rounding of s1 - s2 times k_t",
-                 st) &&
+           worst(v, "rolling alone: Q/(mu P)", (values){e.q, friction_name, FRICTIONS}, 0, 1e-9,
+                 "rounding of s1 - s2 times k_t", st) &&
            drive(v, HEAD FRICTION "path: [{force: 10 kN/m, slide: 30 um, steps: 300}]\n", &e, st) &&
-           worst(v, "sliding alone: Q/(mu P)", e.last, friction_name, FRICTIONS, 1, 1e-9, "rounding", st) &&
+           worst(v, "sliding alone: Q/(mu P)", (values){e.last, friction_name, FRICTIONS}, 1, 1e-9, "rounding", st) &&
            drive(v, HEAD ROLLING "path: [{force: 10 kN/m, slide: 100 um, steps: 100, time: 1 s}]\n", &e, st) &&
-           worst(v, "sliding alone: M/(mu_r P R)", e.moment, rolling_name, ROLLINGS - 1, 0, 1e-9, "rounding", st) &&
-           worst(v, "sliding alone: M/(mu_r P R)", e.moment + ROLLINGS - 1, &spin, 1, 1, 1e-9, "rounding", st);
+           worst(v, "sliding alone: M/(mu_r P R)", (values){e.moment, rolling_name, ROLLINGS - 1}, 0, 1e-9, "rounding",
+                 st) &&
+           worst(v, "sliding alone: M/(mu_r P R)", (values){e.moment + ROLLINGS - 1, &spin, 1}, 1, 1e-9, "rounding",
+                 st);
 }
 
 bool tr_stability_unloading(tr_verify *v, tr_status *st) {
@@ -87,7 +98,7 @@ bool tr_stability_unloading(tr_verify *v, tr_status *st) {
     snprintf(text, sizeof text, "%s%s%s", HEAD, FRICTION, path);
     bool ok = drive(v, text, &e, st);
     return ok &&
-           worst(v, "largest Q/(mu P) while P falls to 0", e.q, friction_name, FRICTIONS, 1, 1e-9,
+           worst(v, "largest Q/(mu P) while P falls to 0", (values){e.q, friction_name, FRICTIONS}, 1, 1e-9,
                  "full slip, and no more", st) &&
-           worst(v, "Q left at P = 0", e.open, friction_name, FRICTIONS, 0, 0, "no contact, no force", st);
+           worst(v, "Q left at P = 0", (values){e.open, friction_name, FRICTIONS}, 0, 0, "no contact, no force", st);
 }

@@ -99,8 +99,13 @@ static slips slips_of(const tr_network *net, int a, int b, double R1, double R2)
     return (slips){sign_of(slide), sign_of(roll + along * slide)};
 }
 
+typedef struct touch {
+    double n[2], r1, r2, R1, R2; /* normal from a to b, arms, radii (R1 = 0: the floor) */
+} touch;
+
 /* Vn = V21.n, Vs = V21.t + r1 w1 + r2 w2, V_r = R_eff (w1 - w2), for the conjugate law + (R1 - R2)/(2L) Vs. */
-static void add_contact(tr_network *net, int a, int b, const double n[2], double r1, double r2, double R1, double R2) {
+static void add_contact(tr_network *net, int a, int b, const touch *c) {
+    const double *n = c->n, r1 = c->r1, r2 = c->r2, R1 = c->R1, R2 = c->R2;
     double R_eff = a < 0 ? R2 : R1 * R2 / (R1 + R2),
            along = net->conjugate ? (a < 0 ? 0.5 : (R1 - R2) / (2 * (r1 + r2))) : 0;
     const double *inv = net->w.disks.inv, of = (a < 0 ? 0 : inv[4 * a]) + inv[4 * b], m = of > 0 ? 1 / of : 0;
@@ -130,10 +135,10 @@ static void assemble(tr_network *net) {
         for (int a = 0; a < b; a++) {
             const double *p = w->disks.pos + 4 * (size_t)a;
             double L = hypot(q[0] - p[0], q[1] - p[1]), r1 = p[3] * L / (p[3] + q[3]);
-            const double n[2] = {(q[0] - p[0]) / L, (q[1] - p[1]) / L};
-            if (L < p[3] + q[3]) add_contact(net, a, b, n, r1, L - r1, p[3], q[3]);
+            const touch c = {{(q[0] - p[0]) / L, (q[1] - p[1]) / L}, r1, L - r1, p[3], q[3]};
+            if (L < p[3] + q[3]) add_contact(net, a, b, &c);
         }
-        if (w->n_walls && q[1] - w->wall[0].y < q[3]) add_contact(net, -1, b, (double[]){0, 1}, 0, q[3], 0, q[3]);
+        if (w->n_walls && q[1] - w->wall[0].y < q[3]) add_contact(net, -1, b, &(touch){{0, 1}, 0, q[3], 0, q[3]});
     }
 }
 
