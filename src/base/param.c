@@ -19,9 +19,10 @@ const char *tr_param_by_shape(const char *text, tr_shape shape, char buffer[TR_B
 unsigned tr_param_demands(const tr_param_table *table, const void *par) {
     for (int i = 0; i < table->n && table->demands_if; i++) {
         const tr_param *p = &table->params[i];
-        bool is_it = strcmp(p->key, table->demands_if) == 0;
-        if (is_it && !*(const bool *)((const char *)par + p->offset))
-            return table->demands & ~(unsigned)(TR_NEEDS_TIME | TR_NEEDS_DENSITY);
+        if (strcmp(p->key, table->demands_if) != 0) continue;
+        const char *value = (const char *)par + p->offset;
+        bool on = p->type == TR_SWITCH ? *(const bool *)value : *(const double *)(const void *)value > 0;
+        if (!on) return table->demands & ~(unsigned)(TR_NEEDS_TIME | TR_NEEDS_DENSITY);
     }
     return table->demands;
 }

@@ -93,7 +93,7 @@ typedef struct tr_param_table {
     const tr_param *params;
     int n;
     unsigned demands;          /* tr_demands */
-    const char *demands_if;    /* TR_NEEDS_* hold only with this TR_SWITCH on; NULL: always */
+    const char *demands_if;    /* TR_NEEDS_* hold only with this TR_SWITCH on, or this TR_REAL > 0; NULL: always */
     const char *driver_choice; /* a choice of one of the parameters that only kind: contact has; NULL: none */
 } tr_param_table;
 

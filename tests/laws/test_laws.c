@@ -56,7 +56,7 @@ static tr_pair_bodies bodies_of(int i) {
     return (tr_pair_bodies){.R1 = R1, .R2 = R2, .m1 = m1, .m2 = m2, .I1 = I1, .I2 = m2 * R2 * R2 / 2};
 }
 
-/* Any parameter: a stiffness 2e6, a number 0.3. Lane 0 is a wall, the others pairs of ratio up to 10. */
+/* Any parameter: a stiffness 2e6, a number 0.3; what is off by default stays off. Lane 0 is a wall, the others pairs of ratio up to 10. */
 static void set_up(const tr_law *normal, const tr_law *friction, const tr_law *rolling) {
     memset(&B, 0, sizeof B);
     R = tr_random_seed(11, 1);
@@ -70,7 +70,7 @@ static void set_up(const tr_law *normal, const tr_law *friction, const tr_law *r
     for (int s = 0; s < 3; s++)
         for (int i = 0; i < B.law[s]->table.n; i++) {
             const tr_param *p = &B.law[s]->table.params[i];
-            if (p->type != TR_REAL) continue;
+            if (p->type != TR_REAL || (p->fallback && !strcmp(p->fallback, "0"))) continue;
             double value = p->dim.kg ? 2e6 : 0.3;
             memcpy((char *)B.par[s] + p->offset, &value, sizeof value);
         }
