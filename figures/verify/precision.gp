@@ -8,6 +8,8 @@ of(c, series, where) = sprintf("< awk -F, '$1 == \"%s\" && $2 == \"%s\" && $5 !=
 plain(name) = system("echo '".name."' | tr '~' ' '")
 array color[8] = ['#000000', '#d55e00', '#0072b2', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#999999']
 array mark[8] = [7, 6, 8, 4, 12, 5, 10, 2]
+color_of(i) = color[(i - 1)%8 + 1] # a ninth series has the first color again, with another mark
+mark_of(i) = mark[(i - 1 + (i - 1)/8)%8 + 1]
 cases = names("1", '$6 != ""') # the points of `stability` have no time
 
 do for [k = 1:2] {
@@ -25,9 +27,9 @@ do for [k = 1:2] {
         set ylabel (c eq 'biaxial' ? 'half-width of the 95 % interval / mean [1]' : c.': error [1]')
         all = names("2", '$1 == "'.c.'"')
         plot for [i = 1:words(all)] of(c, plain(word(all, i)), '1') using 6:5:7:8 \
-                 with xerrorbars pointtype mark[i] pointsize 1.3 linecolor rgb color[i] notitle, \
+                 with xerrorbars pointtype mark_of(i) pointsize 1.3 linecolor rgb color_of(i) notitle, \
              for [i = 1:words(all)] of(c, plain(word(all, i)), '1') using 6:5 \
-                 with linespoints pointtype mark[i] pointsize 1.3 linecolor rgb color[i] title plain(word(all, i)), \
+                 with linespoints pointtype mark_of(i) pointsize 1.3 linecolor rgb color_of(i) title plain(word(all, i)), \
               sprintf("< awk -F, '$1 == \"%s\" && $9' %s", c, csv) using 6:5 with points pointtype 6 pointsize 3 linecolor rgb '#808080' \
                  title 'default step'
     }
