@@ -31,11 +31,13 @@ def number($digits):
 def quantity($digits; $unit):
     (number($digits) + if type == "number" and $unit != "1" and ($unit | given) then " " + $unit else "" end) | @html;
 
-# wall0-3, 0-1, 2: of which contact or disk
+# wall0-3, 0-1, 2; laws.0, path.2: of which contact or disk, of which law, and where on its path
 def of: "\(. // "")"
     | sub("^wall(?<a>[0-9]+)-(?<b>[0-9]+)$"; "wall \(.a) and disk \(.b)")
     | sub("^(?<a>[0-9]+)-(?<b>[0-9]+)$"; "disks \(.a) and \(.b)")
-    | sub("^(?<a>[0-9]+)$"; "disk \(.a)");
+    | sub("^(?<a>[0-9]+)$"; "disk \(.a)")
+    | sub("^laws\\.(?<a>[0-9]+), "; "law \(.a), ")
+    | sub("path\\.(?<a>[0-9]+)$"; "end of segment \(.a)");
 
 def check:
     "<tr><th scope=\"row\">"

@@ -2,7 +2,6 @@
 #include "out/summary.h"
 
 #include "base/version.h"
-#include "scene/what.h"
 #include <errno.h>
 #include <jansson.h>
 #include <math.h>
@@ -202,25 +201,29 @@ static void add_lane(json_t *o, const tr_scene *scene, const tr_bodies *b) {
     add_pipeline(o, &b->world);
 }
 
-static json_t *check_of(const tr_check_result *r) {
-    json_t *o = json_object();
-    const tr_what_row *row = &tr_whats[r->check->what];
+static void add_checks(json_t *o, const tr_check_result *result, int n) {
+    json_t *checks = json_array();
     char part[TR_BY_SHAPE];
-    if (*r->lane) json_object_set_new(o, "lane", json_string(r->lane));
-    json_object_set_new(o, "what", json_string(row->name));
-    json_object_set_new(o, "of", json_string(r->of));
-    add(o, "measured", r->measured); /* null: it did not happen */
-    add(o, "exact", r->check->exact);
-    add(o, "error", r->measured - r->check->exact);
-    add(o, "tolerance", r->check->tolerance);
-    json_object_set_new(o, "unit", json_string(tr_param_by_shape(row->unit, r->shape, part)));
-    json_object_set_new(o, "ok", json_boolean(r->ok));
-    return o;
+    for (const tr_check_result *r = result; r < result + n; r++) {
+        json_t *c = json_object();
+        if (*r->lane) json_object_set_new(c, "lane", json_string(r->lane));
+        json_object_set_new(c, "what", json_string(r->what));
+        json_object_set_new(c, "of", json_string(r->of));
+        add(c, "measured", r->measured); /* null: it did not happen */
+        add(c, "exact", r->check->exact);
+        add(c, "error", r->measured - r->check->exact);
+        add(c, "tolerance", r->check->tolerance);
+        json_object_set_new(c, "unit", json_string(tr_param_by_shape(r->unit, r->shape, part)));
+        json_object_set_new(c, "ok", json_boolean(r->ok));
+        json_array_append_new(checks, c);
+    }
+    if (n) json_object_set(o, "checks", checks);
+    json_decref(checks);
 }
 
 char *tr_summary_bodies(const tr_scene *scene, const tr_bodies *const *b, const tr_check_result *result, int n,
                         const tr_timing *timing, tr_status *st) {
-    json_t *o = begin(scene, "bodies"), *checks = json_array();
+    json_t *o = begin(scene, "bodies");
     add(o, "time_end_s", scene->time_end);
     if (scene->n_more == 0) {
         add_lane(o, scene, b[0]);
@@ -235,21 +238,13 @@ char *tr_summary_bodies(const tr_scene *scene, const tr_bodies *const *b, const 
         }
         json_object_set_new(o, "lanes", lanes);
     }
-    for (int i = 0; i < n; i++) json_array_append_new(checks, check_of(&result[i]));
-    if (n) json_object_set_new(o, "checks", checks);
-    if (!n) json_decref(checks);
+    add_checks(o, result, n);
     return finish(o, timing, st);
 }
 
-char *tr_summary_contact(const tr_scene *scene, int64_t steps, const tr_path_result *law, const tr_timing *timing,
-                         tr_status *st) {
-    json_t *o = begin(scene, "contact"), *laws = json_array();
-    json_object_set_new(o, "segments", json_integer(scene->n_segments));
-    json_object_set_new(o, "steps", json_integer(steps));
-    add(o, "E_star_Pa", scene->pair.E_star);
-    add(o, "R_star_m", scene->pair.R_star);
-    for (int i = 0; i < scene->n_laws; i++) {
-        const tr_path_result *r = &law[i];
+static json_t *laws_of(const tr_scene *scene, const tr_path_result *law) {
+    json_t *laws = json_array();
+    for (const tr_path_result *r = law; r < law + scene->n_laws; r++) {
         json_t *l = json_object();
         json_object_set_new(l, "friction", json_string(r->friction));
         json_object_set_new(l, "rolling", json_string(r->rolling));
@@ -263,24 +258,31 @@ char *tr_summary_contact(const tr_scene *scene, int64_t steps, const tr_path_res
         json_object_set_new(l, "history_merged", json_integer(r->merged));
         json_array_append_new(laws, l);
     }
-    json_object_set_new(o, "laws", laws);
-    return finish(o, timing, st);
+    return laws;
 }
 
-char *tr_summary_patch(const tr_scene *scene, int64_t steps, const tr_patch_result *r, const tr_timing *timing,
-                       tr_status *st) {
-    json_t *o = begin(scene, "patch");
+static void add_solver(json_t *o, const tr_scene *scene, const tr_path_result *r) {
     json_object_set_new(o, "solver", json_string(r->solver));
     json_object_set_new(o, "elements", json_integer(scene->patch.elements));
-    json_object_set_new(o, "segments", json_integer(scene->n_segments));
-    json_object_set_new(o, "steps", json_integer(steps));
     add(o, "mu", scene->patch.mu);
-    add(o, "E_star_Pa", scene->pair.E_star);
-    add(o, "R_star_m", scene->pair.R_star);
     add(o, "depth_m", scene->pair.d);
     add(o, "Q_end_N_per_m", r->Q_end);
     add(o, "q_end", r->q_end);
     add(o, "u_slide_end_m", r->u_slide_end);
     add(o, "dissipated_J_per_m", r->dissipated);
+}
+
+char *tr_summary_path(const tr_scene *scene, int64_t steps, const tr_path_result *result, const tr_check_result *check,
+                      const tr_timing *timing, tr_status *st) {
+    json_t *o = begin(scene, result->solver ? "patch" : "contact");
+    json_object_set_new(o, "segments", json_integer(scene->n_segments));
+    json_object_set_new(o, "steps", json_integer(steps));
+    add(o, "E_star_Pa", scene->pair.E_star);
+    add(o, "R_star_m", scene->pair.R_star);
+    if (result->solver)
+        add_solver(o, scene, result);
+    else
+        json_object_set_new(o, "laws", laws_of(scene, result));
+    add_checks(o, check, scene->n_checks);
     return finish(o, timing, st);
 }

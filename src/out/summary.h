@@ -29,20 +29,24 @@ typedef struct tr_strength {
     double residual_from; /* strain at which the last quarter starts */
 } tr_strength;
 
-/* What a law did on the path of a contact. */
+/* What a law, or the solver of kind: patch, did on the path of a contact. */
 typedef struct tr_path_result {
-    const char *friction, *rolling, *rolling_velocity; /* rolling_velocity NULL: the law does not use it */
+    char label[160];                                   /* in the legend of the curves */
+    const char *solver;                                /* kind: patch; NULL: a law */
+    const char *friction, *rolling, *rolling_velocity; /* of a law; rolling_velocity NULL: it does not use it */
     double Q_end, q_end, Q_max;                    /* at the end: friction, and over mu P; its greatest size [N/m] */
     double moment_1_end, moment_2_end, moment_max; /* rolling moments [N] */
+    double u_slide_end, dissipated;                /* [m]; kind: patch: along the path [N] (J per metre) */
     int64_t merged;                                /* what did not fit into the friction law's history; see tr_law */
 } tr_path_result;
 
-/* One of the checks of a scene of bodies. */
+/* One of the checks of a scene. */
 typedef struct tr_check_result {
     const char *lane; /* label of its document; "" */
     tr_shape shape;
     const tr_scene_check *check;
-    char of[TR_PICK_NAME]; /* "wall0-3", "disk 2" */
+    const char *what, *unit; /* unit: for tr_param_by_shape */
+    char of[TR_PICK_NAME];   /* "wall0-3", "disk 2", "laws.0, path.2" */
     double measured;       /* NaN: it did not happen */
     bool ok;
 } tr_check_result;
@@ -70,16 +74,8 @@ char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, 
 /* b: of the scene, and of scene->more; result: n of them. */
 char *tr_summary_bodies(const tr_scene *scene, const tr_bodies *const *b, const tr_check_result *result, int n,
                         const tr_timing *timing, tr_status *st);
-char *tr_summary_contact(const tr_scene *scene, int64_t steps, const tr_path_result *law, const tr_timing *timing,
-                         tr_status *st);
-
-/* kind: patch. */
-typedef struct tr_patch_result {
-    const char *solver;
-    double Q_end, q_end, u_slide_end; /* [N/m 1 m] */
-    double dissipated;                /* along the path [N] (J per metre) */
-} tr_patch_result;
-char *tr_summary_patch(const tr_scene *scene, int64_t steps, const tr_patch_result *result, const tr_timing *timing,
-                       tr_status *st);
+/* kind: contact, patch. result: one of each law, or that of the solver; check: of scene->checks. */
+char *tr_summary_path(const tr_scene *scene, int64_t steps, const tr_path_result *result, const tr_check_result *check,
+                      const tr_timing *timing, tr_status *st);
 
 #endif

@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdarg.h>
+#include <string.h>
 
 void tr_row_add(tr_row *row, double value, const char *name_format, ...) {
     tr_cell *cell = &row->cell[row->n++];
@@ -13,6 +14,15 @@ void tr_row_add(tr_row *row, double value, const char *name_format, ...) {
     va_end(args);
     snprintf(cell->name, sizeof cell->name, "%s", tr_param_by_shape(name, row->shape, part));
     cell->value = value;
+}
+
+void tr_row_add_in(tr_row *row, double value, const char *name, const char *unit) {
+    char part[TR_BY_SHAPE], text[TR_BY_SHAPE] = "";
+    const char *u = tr_param_by_shape(unit, row->shape, part);
+    size_t used = 0;
+    for (u = strcmp(u, "1") == 0 ? "" : u; *u && used + 6 < sizeof text; u++)
+        used += (size_t)sprintf(text + used, *u == '/' ? "_per_" : *u == '*' ? "_" : "%c", *u);
+    tr_row_add(row, value, "%s%s%s", name, *text ? "_" : "", text);
 }
 
 void tr_cell_put(FILE *file, double value, int digits) {

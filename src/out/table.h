@@ -26,6 +26,9 @@ typedef struct tr_row {
 /* name_format: see tr_param_by_shape. */
 void tr_row_add(tr_row *row, double value, const char *name_format, ...) __attribute__((format(printf, 3, 4)));
 
+/* The column of a quantity with its unit behind: "P", "N/m|N" is P_N_per_m or P_N. */
+void tr_row_add_in(tr_row *row, double value, const char *name, const char *unit);
+
 /* Every number of every table goes through here. What is not finite has no number: an empty cell. */
 void tr_cell_put(FILE *file, double value, int digits);
 

@@ -202,7 +202,22 @@ static bool check_disk(const checker *c, const tr_scope *s) {
                         s->item);
 }
 
+/* A path in a file is not read yet: study/path.c looks at its rows. */
+static bool check_on_path(const checker *c, const tr_scope *s) {
+    const tr_scene *scene = c->scene;
+    const tr_scene_check *check = &scene->checks[s->item];
+    if (scene->kind == TR_KIND_CONTACT && check->law >= scene->n_laws)
+        return tr_text_fail(c->r->st, mark_in(s, "law"), "there is no `laws.%d`: laws count from 0 to %d", check->law,
+                            scene->n_laws - 1);
+    if (!scene->path_file && check->segment >= scene->n_segments)
+        return tr_text_fail(c->r->st, mark_in(s, "segment"),
+                            "there is no `path.%d`: segments count from 0 to %d, and -1 is the last", check->segment,
+                            scene->n_segments - 1);
+    return true;
+}
+
 static bool check_check(const checker *c, const tr_scope *s) {
+    if (c->scene->kind != TR_KIND_BODIES) return check_on_path(c, s);
     const tr_scene *scene = c->scene;
     const tr_scene_check *check = &scene->checks[s->item];
     if (check->disk >= scene->n_disks)

@@ -21,7 +21,8 @@ typedef enum tr_color {
     TR_COLOR_SPIN
 } tr_color;
 
-enum { TR_MAX_LAWS = 32 }; /* items of `laws:` */
+enum { TR_MAX_LAWS = 32 };   /* items of `laws:` */
+enum { TR_MAX_CHECKS = 32 }; /* and of `checks:` */
 enum { TR_LAW_PAR = 16 };  /* room for one law's parameter struct, in doubles */
 
 /* A law of one slot: its row in the catalog, and its parameters as the struct that its own table describes. */
@@ -161,10 +162,15 @@ typedef struct tr_scene_lesson {
 
 /* A number that the run measures and compares with a closed form. */
 typedef struct tr_scene_check {
-    int what;               /* tr_what of what.h */
+    int what; /* of what.h: tr_what of bodies, tr_column along a path */
+    /* kind: bodies */
     int disk;               /* of a disk */
     tr_scene_picks contact; /* one, of a contact */
     double at, over;        /* mean over the time `over` that ends `at` [s]; over 0: the instant. Not of events */
+    /* kind: contact, patch */
+    int law;     /* number in scene->laws */
+    int segment; /* of the path, at its end; -1: the last */
+    /* all */
     double exact;           /* the closed form; dimension as `what` says */
     double tolerance;       /* largest |measured - exact|, the same dimension */
 } tr_scene_check;
@@ -200,7 +206,7 @@ typedef struct tr_scene {
     /* for the class */
     tr_scene_lesson lesson;
     char label[48];         /* kind: bodies: what tells this document of the file from the others */
-    tr_scene_check *checks; /* kind: bodies; owned by the scene */
+    tr_scene_check *checks; /* not kind: biaxial; owned by the scene */
     int n_checks;
     struct tr_scene *more; /* kind: bodies: further documents of the file, shown side by side; owned by the scene. Of
                               them output, lesson, time_end are those of this one; their own more is NULL */

@@ -169,8 +169,7 @@ static const tr_param output_bodies[] = {
     {"still", TR_REAL, TR_DIM_TIME, "s", "time_end", 0, 1e6, NULL, AT(still), "time of still.png"},
 };
 static const tr_param output_biaxial[] = {
-    {"color", TR_CHOICE, TR_DIM_NUMBER, "", "mobilisation", 0, 0, "mobilisation|sliding|rolling|slip|spin",
-     AT(color),
+    {"color", TR_CHOICE, TR_DIM_NUMBER, "", "mobilisation", 0, 0, "mobilisation|sliding|rolling|slip|spin", AT(color),
      "what colours the contacts: |f_t|/(mu f_n), sliding or rolling velocity, the share of the width that slips; or "
      "the disks: how far each has spun so far"},
     {"energy", TR_SWITCH, TR_DIM_NUMBER, "", "yes", 0, 0, NULL, AT(energy), "keep the energy ledger"},
@@ -243,13 +242,30 @@ static const tr_param check_time[] = {
     {"at", TR_REAL, TR_DIM_TIME, "s", "time_end", 0, 1e6, NULL, AT(at), "when"},
     {"over", TR_REAL, TR_DIM_TIME, "s", "0", 0, 1e6, NULL, AT(over), "mean over this time before; 0: the instant"},
 };
-#define CLOSED_FORM(choice, name, dim, unit, ...)                                                                      \
+#define EXACT(choice, dim, unit)                                                                                       \
     static const tr_param exact_##choice[] = {                                                                         \
         {"exact", TR_REAL, TR_DIM_##dim, unit, NULL, -1e30, 1e30, NULL, AT(exact), "the closed form"},                 \
         {"tolerance", TR_REAL, TR_DIM_##dim, unit, NULL, 1e-30, 1e30, NULL, AT(tolerance),                             \
          "largest |measured - exact|"},                                                                                \
     };
+#define CLOSED_FORM(choice, name, dim, unit, ...) EXACT(choice, dim, unit)
 TR_WHATS(CLOSED_FORM)
+#define NEXT_COLUMN(name, ...) "|" #name
+static const tr_param check_law[] = {
+    {"what", TR_CHOICE, TR_DIM_NUMBER, "", NULL, 0, 0, &TR_COLUMNS(NEXT_COLUMN)[1], AT(what),
+     "what is measured: a column of contact.csv"},
+    {"law", TR_COUNT, TR_DIM_NUMBER, "", "0", 0, TR_MAX_LAWS - 1, NULL, AT(law), "of which item of `laws`, from 0"},
+};
+static const tr_param check_patch[] = {
+    {"what", TR_CHOICE, TR_DIM_NUMBER, "", NULL, 0, 0, &TR_COLUMNS(NEXT_COLUMN) TR_PATCH_COLUMNS(NEXT_COLUMN)[1],
+     AT(what), "what is measured: a column of contact.csv"},
+};
+static const tr_param check_segment[] = {
+    {"segment", TR_COUNT, TR_DIM_NUMBER, "", "-1", -1, 1e9, NULL, AT(segment),
+     "at the end of which segment of the path, from 0; -1: the last. Of a file: of which row"},
+};
+TR_COLUMNS(EXACT)
+TR_PATCH_COLUMNS(EXACT)
 #define BIT_OF_CONTACT(choice, name, dim, unit, whose, ...) | (whose == TR_OF_CONTACT) << choice
 #define BIT_OF_DISK(choice, name, dim, unit, whose, ...) | (whose != TR_OF_CONTACT) << choice
 #define BIT_AT_TIME(choice, name, dim, unit, whose, when, ...) | (when == TR_AT_TIME || when == TR_SINCE) << choice
@@ -311,9 +327,11 @@ static const tr_param path_start[] = {
 #define LIST(array, count_, least, most)                                                                               \
     .offset = AT(array), .item = sizeof *((tr_scene *)0)->array, .count = AT(count_), .min_items = least,              \
     .max_items = most
-#define CHECKS(rows, chosen_)                                                                                          \
-    SECTION("checks", "against closed forms", TR_FOR_BODIES, rows, LIST(checks, n_checks, 0, 32), .chosen = chosen_)
-#define AND_EXACT(choice, ...) , CHECKS(exact_##choice, 1u << choice)
+#define CHECKS(kinds, rows, chosen_)                                                                                   \
+    SECTION("checks", "against closed forms", kinds, rows, LIST(checks, n_checks, 0, TR_MAX_CHECKS), .chosen = chosen_)
+#define AND_EXACT(choice, ...) , CHECKS(TR_FOR_BODIES, exact_##choice, 1u << choice)
+#define AND_COLUMN(name, ...) , CHECKS(TR_FOR_PAIR, exact_##name, 1u << TR_COLUMN_##name)
+#define AND_PATCH_COLUMN(name, ...) , CHECKS(TR_FOR_PATCH, exact_##name, 1u << TR_COLUMN_##name)
 const tr_section tr_sections[] = {
     SECTION("", "", TR_FOR_ALL, root, .offset = 0),
     SECTION("", "", TR_FOR_WORLDS, root_worlds, .offset = 0),
@@ -341,10 +359,10 @@ const tr_section tr_sections[] = {
     SECTION("output", "what is written", TR_FOR_BIAXIAL | TR_FOR_PAIR, output_curves, .offset = AT(output)),
     SECTION("disks", "", TR_FOR_BODIES, disk, LIST(disks, n_disks, 1, 1000)),
     SECTION("walls", "rigid planes", TR_FOR_BODIES, wall, LIST(walls, n_walls, 0, 100)),
-    CHECKS(check, 0),
-    CHECKS(check_contact, 0 TR_WHATS(BIT_OF_CONTACT)),
-    CHECKS(check_disk, 0 TR_WHATS(BIT_OF_DISK)),
-    CHECKS(check_time, 0 TR_WHATS(BIT_AT_TIME)) TR_WHATS(AND_EXACT),
+    CHECKS(TR_FOR_BODIES, check, 0),
+    CHECKS(TR_FOR_BODIES, check_contact, 0 TR_WHATS(BIT_OF_CONTACT)),
+    CHECKS(TR_FOR_BODIES, check_disk, 0 TR_WHATS(BIT_OF_DISK)),
+    CHECKS(TR_FOR_BODIES, check_time, 0 TR_WHATS(BIT_AT_TIME)) TR_WHATS(AND_EXACT),
     SECTION("bodies", "the two in contact, of one material", TR_FOR_CONTACT, bodies_shape, .offset = 0),
     SECTION("bodies", "the two in contact, of one material", TR_FOR_PAIR, pair, .offset = AT(pair)),
     SECTION("bodies", "", TR_FOR_CONTACT, pair_density, .offset = AT(pair)),
@@ -356,6 +374,9 @@ const tr_section tr_sections[] = {
     SECTION("path", "", TR_FOR_CONTACT, path_contact, LIST(path, n_segments, 1, 1000)),
     SECTION("path", "", TR_FOR_PATCH, path_patch, LIST(path, n_segments, 1, 1000)),
     SECTION("path", "", TR_FOR_PAIR, path_start, LIST(path, n_segments, 1, 1000), .derived = true),
+    CHECKS(TR_FOR_CONTACT, check_law, 0),
+    CHECKS(TR_FOR_PATCH, check_patch, 0),
+    CHECKS(TR_FOR_PAIR, check_segment, 0) TR_COLUMNS(AND_COLUMN) TR_PATCH_COLUMNS(AND_PATCH_COLUMN),
 };
 const int tr_n_sections = sizeof tr_sections / sizeof *tr_sections;
 

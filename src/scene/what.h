@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* What a check can measure: one row each. The reader, the writer, the list of keys and study/checks.c read these rows.
+/* What a check can measure: one row each. The reader, the writer, the list of keys and the drivers of study/ read these
+ * rows.
  *
- * A new one is a row here and its function in study/checks.c. */
+ * Of bodies a new one is a row of TR_WHATS and its function in study/checks.c. Along a path the columns of contact.csv are
+ * measured: a new one is a row of TR_COLUMNS and its field in study/contact.h. */
 #ifndef TR_SCENE_WHAT_H
 #define TR_SCENE_WHAT_H
 
@@ -47,5 +49,38 @@ typedef struct tr_what_row {
 } tr_what_row;
 
 extern const tr_what_row tr_whats[TR_N_WHATS];
+
+/* The quantities of contact.csv: name, which is that of the field in tr_contact_state; dimension TR_DIM_; unit
+ * "disk|sphere". With the unit behind its name each is a column: `P` is P_N_per_m or P_N. The second list is of
+ * `kind: patch` alone. */
+#define TR_COLUMNS(ROW)                                                                                                \
+    ROW(u_slide, LENGTH, "m")                                                                                          \
+    ROW(u_roll, LENGTH, "m")                                                                                           \
+    ROW(P, FORCE, "N/m|N")                                                                                             \
+    ROW(Q, FORCE, "N/m|N")                                                                                             \
+    ROW(q, NUMBER, "1")                                                                                                \
+    ROW(a, LENGTH, "m")                                                                                                \
+    ROW(moment_1, MOMENT, "N|N*m")                                                                                     \
+    ROW(moment_2, MOMENT, "N|N*m")                                                                                     \
+    ROW(f_r, FORCE, "N/m|N")                                                                                           \
+    ROW(overlap, LENGTH, "m")
+#define TR_PATCH_COLUMNS(ROW)                                                                                          \
+    ROW(p_max, STRESS, "Pa")                                                                                           \
+    ROW(stick, LENGTH, "m")                                                                                            \
+    ROW(creepage, NUMBER, "1")                                                                                         \
+    ROW(dissipated, MOMENT, "J/m")
+
+#define TR_COLUMN_CHOICE(name, ...) TR_COLUMN_##name,
+typedef enum tr_column {
+    TR_COLUMNS(TR_COLUMN_CHOICE) TR_N_COLUMNS,
+    TR_COLUMN_BEFORE_PATCH = TR_N_COLUMNS - 1, /* the next goes on from here */
+    TR_PATCH_COLUMNS(TR_COLUMN_CHOICE) TR_N_PATCH_COLUMNS
+} tr_column;
+
+typedef struct tr_column_row {
+    const char *name, *unit;
+} tr_column_row;
+
+extern const tr_column_row tr_columns[TR_N_PATCH_COLUMNS]; /* `kind: contact` has the first TR_N_COLUMNS */
 
 #endif

@@ -173,10 +173,15 @@ void tr_checks_results(const tr_checks *c, tr_check_result *result) {
     for (int k = 0; k < c->scene->n_checks; k++) {
         const tr_scene_check *check = &c->scene->checks[k];
         double measured = c->item[k].value;
-        result[k] = (tr_check_result){.lane = c->scene->label, .shape = c->scene->shape, .check = check};
+        const tr_what_row *row = &tr_whats[check->what];
+        result[k] = (tr_check_result){.lane = c->scene->label,
+                                      .shape = c->scene->shape,
+                                      .check = check,
+                                      .what = row->name,
+                                      .unit = row->unit};
         result[k].measured = measured;
         result[k].ok = fabs(measured - check->exact) <= check->tolerance; /* false for NaN */
-        if (tr_whats[check->what].whose == TR_OF_CONTACT)
+        if (row->whose == TR_OF_CONTACT)
             tr_scene_pick_name(check->contact.item[0], result[k].of);
         else
             snprintf(result[k].of, sizeof result[k].of, "disk %d", check->disk);

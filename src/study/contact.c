@@ -6,7 +6,9 @@
 #include "laws/law.h"
 #include "patch/cut.h"
 #include "patch/half_plane.h"
+#include "scene/what.h"
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -136,6 +138,12 @@ void tr_contact_free(tr_contact *c) {
     for (int i = 0; i < c->scene->n_laws; i++) tr_half_plane_free(c->lines[i].exact);
     free(c->lines);
     free(c);
+}
+
+double tr_contact_value(const tr_contact_state *state, int column) {
+#define FIELD(name, ...) [TR_COLUMN_##name] = offsetof(tr_contact_state, name),
+    static const size_t field[TR_N_PATCH_COLUMNS] = {TR_COLUMNS(FIELD) TR_PATCH_COLUMNS(FIELD)};
+    return *(const double *)(const void *)((const char *)state + field[column]);
 }
 
 int64_t tr_contact_steps(const tr_scene *scene) {

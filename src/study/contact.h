@@ -32,7 +32,15 @@ typedef struct tr_contact_state {
     double q;                       /* Q/(mu P), -1 to 1, of the sign of Q; 0 where mu P is 0 */
     double moment_1, moment_2, f_r; /* of the rolling law: on the bodies [N]; its force along t, like Q [N/m] */
     int64_t merged;                 /* by a friction law whose history is full, see tr_law */
+    /* kind: patch alone (study/inside.h) */
+    double p_max;      /* largest pressure [Pa] */
+    double stick;      /* width that sticks [m] */
+    double creepage;   /* of this step, what it slides over |what it rolls|; NaN: it does not roll */
+    double dissipated; /* by friction, since the start of the path [N] (J per metre) */
 } tr_contact_state;
+
+/* Of a column of contact.csv (scene/what.h). */
+double tr_contact_value(const tr_contact_state *state, int column);
 
 typedef struct tr_contact tr_contact;
 

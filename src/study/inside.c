@@ -22,7 +22,7 @@ struct tr_inside {
     int segment, k;                 /* step k of this segment comes next, from 1 */
     double P_start, Q_start;        /* at the start of the segment */
     double slide_start, roll_start; /* since the start of the path, there */
-    double slide;                   /* since the start of the path, now */
+    double slide, dissipated;       /* since the start of the path, now */
 };
 
 tr_patch_pair tr_inside_pair(const tr_scene *scene) {
@@ -128,6 +128,13 @@ static bool tell_where(const tr_inside *o, tr_status *st) {
     return false;
 }
 
+/* Elements that stick, as a width. */
+static double stick_of(const tr_patch_state *s) {
+    int n = 0;
+    for (int i = 0; i < s->n && s->P > 0; i++) n += s->side[i] == 0;
+    return n * s->h;
+}
+
 bool tr_inside_step(tr_inside *o, tr_contact_state *state, tr_status *st) {
     const tr_scene_segment *g = &o->scene->path[o->segment];
     const bool last = o->k == g->steps;
@@ -144,7 +151,9 @@ bool tr_inside_step(tr_inside *o, tr_contact_state *state, tr_status *st) {
     if (!advance(o, &step, st)) return tell_where(o, st);
     const tr_patch_state *s = tr_inside_patch(o);
     const tr_patch_pair *c = &o->pair;
+    const double before = o->slide;
     o->slide = step.by_force ? o->slide + s->du : o->slide_start + part * g->slide;
+    o->dissipated += s->dissipated;
     double bound = c->mu * step.P, Lambda = step.P > 0 ? tr_patch_Lambda(c, step.P) : 0;
     *state = (tr_contact_state){.step = o->step,
                                 .segment = o->segment,
@@ -154,7 +163,11 @@ bool tr_inside_step(tr_inside *o, tr_contact_state *state, tr_status *st) {
                                 .overlap = 2 * step.P / (M_PI * c->E_star) * (Lambda + 0.5),
                                 .a = tr_patch_a(c, step.P),
                                 .Q = s->Q + 0.0,
-                                .q = bound > 0 ? fmin(fmax(s->Q / bound, -1), 1) + 0.0 : 0};
+                                .q = bound > 0 ? fmin(fmax(s->Q / bound, -1), 1) + 0.0 : 0,
+                                .p_max = tr_patch_p0(c, step.P),
+                                .stick = stick_of(s),
+                                .creepage = step.dr != 0 ? (o->slide - before) / fabs(step.dr) : NAN,
+                                .dissipated = o->dissipated};
     if (!isfinite(state->Q) || !isfinite(state->u_slide)) {
         tr_status_fail(st, TR_NUMERICAL, "error: a force or displacement is not finite");
         return tell_where(o, st);

@@ -95,6 +95,16 @@ static bool has_times(const path *p, tr_status *st) {
     return true;
 }
 
+static bool reaches_checks(const tr_scene *scene, tr_status *st) {
+    for (int i = 0; i < scene->n_checks; i++)
+        if (scene->checks[i].segment >= scene->n_segments)
+            return tr_status_fail(st, TR_BAD_CASE,
+                                  "%.480s:1: error: `checks.%d.segment` is %d, and the rows of this path count from 0 "
+                                  "to %d",
+                                  scene->path_file, i, scene->checks[i].segment, scene->n_segments - 1);
+    return true;
+}
+
 bool tr_path_read(tr_scene *scene, tr_status *st) {
     path p = {.scene = scene};
     bool sphere = scene->shape == TR_SHAPE_SPHERE;
@@ -108,5 +118,5 @@ bool tr_path_read(tr_scene *scene, tr_status *st) {
     if (!tr_csv_read(scene->path_file, &format, &p, st)) return false;
     if (!scene->n_segments)
         return tr_status_fail(st, TR_BAD_CASE, "%.480s:1: error: no row behind the header line", scene->path_file);
-    return has_times(&p, st);
+    return has_times(&p, st) && reaches_checks(scene, st);
 }

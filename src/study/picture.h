@@ -7,7 +7,6 @@
 #include "out/summary.h"
 #include "study/play.h"
 
-enum { TR_MAX_CHECKS = 32 }; /* of a scene; see scene/tables.c */
 
 typedef struct tr_cast {
     const tr_scene *scene; /* the first; its lesson and output are those of all */

@@ -11,8 +11,7 @@
 #include "study/open.h"
 #include "study/run_biaxial.h"
 #include "study/run_bodies.h"
-#include "study/run_contact.h"
-#include "study/run_patch.h"
+#include "study/run_path.h"
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -47,9 +46,8 @@ static bool run(const tr_scene *scene, const tr_run_options *options, tr_run_rep
     case TR_KIND_BODIES:
         return tr_run_bodies(scene, options, report, st);
     case TR_KIND_CONTACT:
-        return tr_run_contact(scene, options, report, st);
     case TR_KIND_PATCH:
-        return tr_run_patch(scene, options, report, st);
+        return tr_run_path(scene, options, report, st);
     }
     return false;
 }

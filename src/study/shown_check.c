@@ -24,18 +24,17 @@ static void shown_number(char *text, size_t size, double value, double largest, 
 
 tr_show_check tr_run_shown_check(const tr_check_result *r, const tr_scene *scene, bool several) {
     static const char *const symbol[TR_N_WHATS] = {[TR_SLIDING_VELOCITY] = "V_s", [TR_ROLLING_VELOCITY] = "V_r"};
-    const tr_what_row *row = &tr_whats[r->check->what];
     char part[TR_BY_SHAPE];
     tr_show_check shown = {.ok = r->ok};
     double scale = 1, measured = r->measured, exact = r->check->exact;
-    const char *what = symbol[r->check->what], *unit = tr_param_by_shape(row->unit, r->shape, part);
+    const char *what = symbol[r->check->what], *unit = tr_param_by_shape(r->unit, r->shape, part);
     if (strcmp(unit, "rad") == 0) unit = "°", scale = 180 / M_PI;
     if (strcmp(unit, "1") == 0) unit = "";
     if (strcmp(unit, "N/s") == 0) unit = "W/m";
     if (strcmp(unit, "J/s") == 0) unit = "W";
     if (fabs(measured) < 0.01 * r->check->tolerance) measured = 0; /* rounding */
     snprintf(shown.group, sizeof shown.group, "%s", several ? r->lane : "");
-    int used = snprintf(shown.what, sizeof shown.what, "%.24s", what ? what : row->name);
+    int used = snprintf(shown.what, sizeof shown.what, "%.24s", what ? what : r->what);
     for (char *p = shown.what; *p; p++)
         if (*p == '-') *p = ' ';
     if (scene->n_disks > 1) used += snprintf(shown.what + used, sizeof shown.what - (size_t)used, ", %.9s", r->of);
@@ -49,15 +48,14 @@ tr_show_check tr_run_shown_check(const tr_check_result *r, const tr_scene *scene
 }
 
 void tr_run_say_check(tr_run_report *report, const tr_check_result *r, bool several) {
-    const tr_what_row *row = &tr_whats[r->check->what];
     char number[48], off[32] = "", part[TR_BY_SHAPE];
-    const char *unit = tr_param_by_shape(row->unit, r->shape, part);
+    const char *unit = tr_param_by_shape(r->unit, r->shape, part);
     if (strcmp(unit, "1") == 0) unit = "";
     double exact = r->check->exact, error = r->measured - exact;
     snprintf(number, sizeof number, isnan(r->measured) ? "never happened" : "%.5g%s%s", r->measured, *unit ? " " : "",
              unit);
     if (!isnan(error)) snprintf(off, sizeof off, "error %.1e, ", error);
-    tr_run_say(report, row->name, "%s%s%s: %s, exact %.5g%s%s, %sallowed %.1e: %s", r->of, several ? ", " : "",
+    tr_run_say(report, r->what, "%s%s%s: %s, exact %.5g%s%s, %sallowed %.1e: %s", r->of, several ? ", " : "",
                several ? r->lane : "", number, exact, *unit ? " " : "", unit, off, r->check->tolerance,
                r->ok ? "ok" : "FAILED");
     if (!r->ok) report->failed++;

@@ -364,6 +364,39 @@ static void assert_messages(const begin_case *rows, size_t n) {
     assert_int_equal(failed, 0);
 }
 
+/* Along a path the columns of contact.csv are measured. */
+static void path_check_messages(void **state) {
+    (void)state;
+#define PATCH "kind: patch\nbodies: {R1: 10 mm, R2: 10 mm, E: 70 GPa, nu: 0.3}\nmu: 0.3\npath: [{force: 1 kN/m}]\n"
+    static const begin_case rows[] = {
+        {ROLL "checks: [{what: speed, exact: 1, tolerance: 1}]\n",
+         "a.yaml:5:17: error: `speed` is not a choice for `what`; allowed is u_slide | u_roll | P | Q | q | a | "
+         "moment_1 | moment_2 | f_r | overlap\n"},
+        {ROLL "checks: [{what: p_max, exact: 1, tolerance: 1}]\n", "a.yaml:5:17: error: `p_max` is not a choice for "},
+        {PATCH "checks: [{what: sticks, exact: 1, tolerance: 1}]\n",
+         "a.yaml:5:17: error: `sticks` is not a choice for `what` (did you mean `stick`?); allowed is u_slide | u_roll "
+         "| P | Q | q | a | moment_1 | moment_2 | f_r | overlap | p_max | stick | creepage | dissipated\n"},
+        {GOOD_BODIES "checks: [{what: Q, exact: 1, tolerance: 1}]\n",
+         "a.yaml:5:17: error: `Q` is not a choice for `what`; allowed is sliding-velocity | "},
+        {ROLL "checks: [{segment: 0, exact: 1, tolerance: 1}]\n", "a.yaml:5:10: error: `checks.0.what` is missing: "},
+        {ROLL "checks: [{what: Q, exact: 1 N, tolerance: 1}]\n", "a.yaml:5:27: error: wrong dimension"},
+        {ROLL "checks: [{what: Q, exact: 1}]\n", "a.yaml:5:10: error: `checks.0.tolerance` is missing: "},
+        {ROLL "checks: [{what: Q, law: 1, exact: 1, tolerance: 1}]\n",
+         "a.yaml:5:25: error: there is no `laws.1`: laws count from 0 to 0\n"},
+        {ROLL "checks: [{what: Q, segment: 1, exact: 1, tolerance: 1}]\n",
+         "a.yaml:5:29: error: there is no `path.1`: segments count from 0 to 0, and -1 is the last\n"},
+        {ROLL "checks: [{what: Q, segment: -2, exact: 1, tolerance: 1}]\n",
+         "a.yaml:5:29: error: `segment` is -2, allowed is -1 to 1e+09\n"},
+        {ROLL "checks: [{what: Q, at: 1 s, exact: 1, tolerance: 1}]\n",
+         "a.yaml:5:20: error: `checks.0.at` is not for `kind: contact`; allowed here: what, law, segment, exact, "},
+        {PATCH "checks: [{what: Q, law: 0, exact: 1, tolerance: 1}]\n",
+         "a.yaml:5:20: error: `checks.0.law` is not for `kind: patch`; allowed here: what, segment, exact, tolerance\n"},
+        {GOOD_BODIES "checks: [{what: speed, segment: 0, exact: 1, tolerance: 1}]\n",
+         "a.yaml:5:24: error: `checks.0.segment` is not for `kind: bodies`; allowed here: what, disk, at, over, "},
+    };
+    assert_messages(rows, sizeof rows / sizeof *rows);
+}
+
 static void bodies_messages(void **state) {
     (void)state;
     static const begin_case rows[] = {
@@ -533,7 +566,7 @@ static void contact_messages(void **state) {
                                  "bodies.nu^2)), and cannot be given\n"},
         {ROLL "seed: 3\n",
          "a.yaml:5:1: error: `seed` is not for `kind: contact`; allowed here: kind, lesson, output, bodies, laws, "
-         "path\n"},
+         "path, checks\n"},
         {ROLL "contact: {mu: 1}\n", "a.yaml:5:1: error: `contact` is not for `kind: contact`; allowed here: "},
         {PAIR "laws: [{friction: coulomb-spring}]\npath: [{force: 1}]\n",
          "a.yaml:3:8: error: `laws.0.k_t` is not given, and its default `0.5*k_n` fails: `k_n` belongs to the law "
@@ -596,7 +629,7 @@ static void contact_messages(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(messages),       cmocka_unit_test(contact_messages),
-                                       cmocka_unit_test(patch_messages), cmocka_unit_test(bodies_messages),
+                                       cmocka_unit_test(patch_messages), cmocka_unit_test(bodies_messages), cmocka_unit_test(path_check_messages),
                                        cmocka_unit_test(limits),         cmocka_unit_test(too_many_disks),
                                        cmocka_unit_test(long_lines)};
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -155,7 +155,7 @@ static void the_reader_takes_every_key_of_the_tables(void **state) {
             if (strncmp(line, "### ", 4) == 0 && !quoted(line + 4, section)) section[0] = '\0';
             if (strncmp(line, "| `", 3) != 0 || !quoted(line + 2, key) || !strcmp(key, "kind")) continue;
             const char *chosen = strstr(line, "(for `what: ");
-            if (!chosen || sscanf(chosen, "(for `what: %63[a-z-]", what) != 1) what[0] = '\0';
+            if (!chosen || sscanf(chosen, "(for `what: %63[^,`]", what) != 1) what[0] = '\0';
             if (!strcmp(key, "what")) what[0] = '\0';
             tr_status st;
             ask_reader(kinds[i], of_laws ? laws : section, key, what, &st);

@@ -74,6 +74,25 @@ static void same_as_written_out(void **state) {
     tr_scene_free(&a), tr_scene_free(&b);
 }
 
+/* Rows count as segments do. */
+static void a_check_beyond_the_last_row_is_refused(void **state) {
+    (void)state;
+    char text[600], begins[200];
+    tr_status st = {0};
+    tr_scene s;
+    write_file("u_slide_m,u_roll_m,P_N_per_m,time_s\n0,0,1,1\n0,0,2,2\n");
+    for (int segment = 1; segment < 3; segment++) {
+        snprintf(text, sizeof text, HEAD "path: %s\nchecks: [{what: P, segment: %d, exact: 2, tolerance: 1}]\n", file,
+                 segment);
+        if (!read_case(&s, "a.yaml", text, &st)) fail_msg("%s", st.text);
+        assert_int_equal(tr_path_read(&s, &st), segment < 2);
+        tr_scene_free(&s);
+    }
+    snprintf(begins, sizeof begins, "%s:1: error: `checks.0.segment` is 2, and the rows of this path count from 0 to 1",
+             file);
+    assert_string_equal(st.text, begins);
+}
+
 static void refuses(void **state) {
     (void)state;
 #define COLUMNS "u_slide_m,u_roll_m,P_N_per_m,time_s\n"
@@ -152,7 +171,7 @@ static int close_folder(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(same_as_written_out), cmocka_unit_test(refuses),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(same_as_written_out), cmocka_unit_test(refuses), cmocka_unit_test(a_check_beyond_the_last_row_is_refused),
                                        cmocka_unit_test(what_needs_no_times)};
     return cmocka_run_group_tests_name("path", tests, open_folder, close_folder);
 }

@@ -31,6 +31,9 @@ check 'the page of them' made "$work/out/gallery/index.html" DEMOS="$demos"
 check 'is there' test -s out/gallery/index.html
 check 'and made once' made -q "$work/out/gallery/index.html" DEMOS="$demos"
 
+check 'each case of the page has numbers that it is checked by' equals \
+    "$(grep -lE '^kind: (bodies|contact|patch)' "$repo"/cases/*.yaml | xargs grep -L '^checks:')" ''
+
 # ---- a page of these runs with lessons that want to be taken for HTML, and of a run that left nothing ----
 cp -r "$repo/cases" . && cp -r out/demos . && mkdir demos/bare
 # shellcheck disable=SC2016 # not for the shell

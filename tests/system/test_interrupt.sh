@@ -74,7 +74,7 @@ check 'inside a contact: rows are growing' wait_for has_patch_rows
 stop INT
 check 'code 130' equals "$code" 130
 check 'contact.csv has whole lines' whole_lines patch/contact.csv
-kept=$(sed -n 's/.*: \([0-9]*\) rows of contact.*/\1/p' stderr)
+kept=$(sed -n 's/.*: \([0-9]*\) steps of contact.*/\1/p' stderr)
 check 'as many rows as it said' equals "$(($(wc -l <patch/contact.csv) - 1))" "$kept"
 check 'no summary' not test -e patch/summary.json
 check 'no part' no_parts patch
