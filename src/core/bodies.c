@@ -39,8 +39,12 @@ static void weigh(tr_bodies *b) {
     const tr_disks *d = &b->world.disks;
     double g[2];
     tr_bodies_gravity(b, g);
-    for (int i = 0; d->load && i < d->n; i++) /* what moves a centre as it is told carries its weight too */
-        for (int k = 0; k < 2; k++) d->load[4 * i + k] = d->inv[4 * i + k] > 0 ? d->mass[i] * g[k] : 0;
+    for (int i = 0; d->load && i < d->n; i++) { /* what moves a centre as it is told carries its weight too */
+        const tr_scene_pull *pull = &b->scene->disks[i].pull;
+        const double force[] = {d->mass[i] * g[0] + pull->force * cos(pull->angle),
+                                d->mass[i] * g[1] + pull->force * sin(pull->angle)};
+        for (int k = 0; k < 2; k++) d->load[4 * i + k] = d->inv[4 * i + k] > 0 ? force[k] : 0;
+    }
 }
 
 void tr_bodies_advance(tr_bodies *b) {
@@ -55,16 +59,18 @@ void tr_bodies_advance(tr_bodies *b) {
 static bool fill(tr_bodies *b, const tr_scene *scene, tr_status *st) {
     tr_world *world = &b->world;
     bool load = scene->gravity.x != 0 || scene->gravity.y != 0;
-    for (int i = 0; i < scene->n_disks; i++) load |= scene->disks[i].torque != 0;
+    for (int i = 0; i < scene->n_disks; i++) load |= scene->disks[i].torque != 0 || scene->disks[i].pull.force != 0;
     if (load && !(world->disks.load = tr_alloc((size_t)scene->n_disks * 4, sizeof(double), st))) return false;
     for (int i = 0; i < scene->n_disks; i++) {
         const tr_scene_disk *d = &scene->disks[i];
         tr_world_set_disk(world, i, d->x, d->y, d->angle, d->radius, d->density, false);
+        if (d->inertia > 0 && d->inertia != tr_law_inertia(scene->shape))
+            tr_world_set_inertia(world, i, d->inertia * world->disks.mass[i] * d->radius * d->radius);
         double *vel = world->disks.vel + 4 * (size_t)i, *inv = world->disks.inv + 4 * (size_t)i;
         vel[0] = d->vx, vel[1] = d->vy, vel[2] = d->spin;
         if (d->motion != TR_FREE && d->motion != TR_DRIVEN) inv[0] = inv[1] = 0;
         if (d->motion != TR_FREE && d->motion != TR_PINNED) inv[2] = 0;
-        if (load) world->disks.load[4 * i + 2] = d->torque;
+        if (load) world->disks.load[4 * i + 2] = d->torque + d->pull.force * d->pull.radius;
     }
     weigh(b);
     circle(b);

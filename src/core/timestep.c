@@ -206,7 +206,10 @@ static bool are_alike(const tr_world *world) {
     double first = d->mass[0] / pow(d->pos[3], world->shape == TR_SHAPE_SPHERE ? 3 : 2);
     for (int i = 0; i < d->n; i++) {
         double density = d->mass[i] / pow(d->pos[4 * i + 3], world->shape == TR_SHAPE_SPHERE ? 3 : 2);
-        if (d->inv[4 * i] == 0 || d->inv[4 * i + 2] == 0 || fabs(density / first - 1) > 1e-9) return false;
+        double whole = tr_law_inertia(world->shape) * d->mass[i] * d->pos[4 * i + 3] * d->pos[4 * i + 3];
+        if (d->inv[4 * i] == 0 || d->inv[4 * i + 2] == 0 || fabs(density / first - 1) > 1e-9 ||
+            fabs(d->inertia[i] / whole - 1) > 1e-9)
+            return false;
     }
     return true;
 }

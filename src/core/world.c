@@ -16,6 +16,7 @@ bool tr_world_init(tr_world *world, int n, tr_shape shape, tr_status *st) {
     bool ok = (world->tile = tr_alloc(1, sizeof *world->tile, st)) && (d->pos = tr_alloc(lanes, sizeof(double), st)) &&
               (d->vel = tr_alloc(lanes, sizeof(double), st)) && (d->force = tr_alloc(lanes, sizeof(double), st)) &&
               (d->inv = tr_alloc(lanes, sizeof(double), st)) && (d->mass = tr_alloc((size_t)n, sizeof(double), st)) &&
+              (d->inertia = tr_alloc((size_t)n, sizeof(double), st)) &&
               (d->coordination = tr_alloc((size_t)n, sizeof(int), st)) &&
               (world->wide_ref = tr_alloc(lanes / 2, sizeof(double), st)) &&
               (world->thin_ref = tr_alloc(lanes / 2, sizeof(double), st));
@@ -32,7 +33,7 @@ void tr_group_free(tr_group *g) {
 
 void tr_world_free(tr_world *world) {
     tr_disks *d = &world->disks;
-    free(d->pos), free(d->vel), free(d->force), free(d->inv), free(d->load), free(d->mass);
+    free(d->pos), free(d->vel), free(d->force), free(d->inv), free(d->load), free(d->mass), free(d->inertia);
     free(d->coordination);
     free(world->wide_ref), free(world->thin_ref), free(world->ledger), free(world->tile), free(world->picked);
     tr_shares_free(world->shares), tr_threads_free(world->threads);
@@ -45,13 +46,19 @@ void tr_world_free(tr_world *world) {
 void tr_world_set_disk(tr_world *world, int i, double x, double y, double angle, double radius, double density,
                        bool prescribed) {
     double *pos = world->disks.pos + 4 * (size_t)i, *inv = world->disks.inv + 4 * (size_t)i;
-    bool sphere = world->shape == TR_SHAPE_SPHERE;
-    double m = density * M_PI * radius * radius * (sphere ? 4 * radius / 3 : 1);
+    double m = density * M_PI * radius * radius * (world->shape == TR_SHAPE_SPHERE ? 4 * radius / 3 : 1);
     pos[0] = x, pos[1] = y, pos[2] = angle, pos[3] = radius;
     world->disks.mass[i] = m;
+    world->disks.inertia[i] = tr_law_inertia(world->shape) * m * radius * radius;
     inv[0] = inv[1] = prescribed ? 0 : 1 / m;
-    inv[2] = prescribed ? 0 : (sphere ? 2.5 : 2) / (m * radius * radius);
+    inv[2] = prescribed ? 0 : 1 / tr_law_inertia(world->shape) / (m * radius * radius);
     world->stale = true;
+}
+
+void tr_world_set_inertia(tr_world *world, int i, double inertia) {
+    double *inv = world->disks.inv + 4 * (size_t)i;
+    world->disks.inertia[i] = inertia;
+    if (inv[2] > 0) inv[2] = 1 / inertia;
 }
 
 void tr_group_attach(tr_group *group, tr_sink *sink, const char *name, tr_pass_run *run, int n_hist) {
@@ -63,11 +70,10 @@ void tr_group_attach(tr_group *group, tr_sink *sink, const char *name, tr_pass_r
 
 /* Given motion is infinite mass: inv is 0 there. */
 static void weigh_body(const tr_world *world, int i, double *R, double *m, double *I) {
-    const double *inv = world->disks.inv + 4 * (size_t)i, of_mass = world->shape == TR_SHAPE_SPHERE ? 0.4 : 0.5;
-    double mass = world->disks.mass[i];
+    const double *inv = world->disks.inv + 4 * (size_t)i;
     *R = world->disks.pos[4 * (size_t)i + 3];
-    *m = inv[0] > 0 ? mass : INFINITY;
-    *I = inv[2] > 0 ? of_mass * mass * *R * *R : INFINITY;
+    *m = inv[0] > 0 ? world->disks.mass[i] : INFINITY;
+    *I = inv[2] > 0 ? world->disks.inertia[i] : INFINITY;
 }
 
 tr_pair_bodies tr_world_pair(const tr_world *world, const tr_group *group, int a, int b) {
@@ -101,7 +107,7 @@ int tr_world_threads(const tr_world *world) {
 
 size_t tr_world_bytes(const tr_world *world) {
     size_t bytes =
-        sizeof *world + sizeof *world->tile + (size_t)world->disks.n * ((4 * 4 + 1 + 4) * sizeof(double) + sizeof(int));
+        sizeof *world + sizeof *world->tile + (size_t)world->disks.n * ((4 * 4 + 2 + 4) * sizeof(double) + sizeof(int));
     if (world->ledger) bytes += sizeof *world->ledger;
     if (world->disks.load) bytes += (size_t)world->disks.n * 4 * sizeof(double);
     for (int k = 0; k < 2; k++) {

@@ -48,6 +48,7 @@ typedef struct tr_disks {
     double *pos, *vel, *force, *inv; /* n*4 each, see above; inv is 0 where the motion is prescribed */
     double *load;                    /* n*4: what acts on a disk besides contacts: weight, torque; NULL: nothing does */
     double *mass;                    /* n [kg/m], by the density, whatever is given of the motion */
+    double *inertia;                 /* n [kg m], likewise */
     int *coordination;               /* n: touching contacts of each, right after tr_timestep_contacts */
 } tr_disks;
 
@@ -192,10 +193,13 @@ typedef struct tr_world {
 bool tr_world_init(tr_world *world, int n, tr_shape shape, tr_status *st);
 void tr_world_free(tr_world *world);
 
-/* Centre [m], angle [rad], radius [m], density [kg/m^3]; I = m R^2/2, of a sphere 2 m R^2/5. prescribed: keeps its velocity whatever acts on
- * it. */
+/* Centre [m], angle [rad], radius [m], density [kg/m^3]; I = m R^2/2, of a sphere 2 m R^2/5. prescribed: keeps its
+ * velocity whatever acts on it. */
 void tr_world_set_disk(tr_world *world, int i, double x, double y, double angle, double radius, double density,
                        bool prescribed);
+
+/* Another moment of inertia for disk i [kg m], after tr_world_set_disk. */
+void tr_world_set_inertia(tr_world *world, int i, double inertia);
 
 /* Adds a sink at the end of a pipeline, with n_hist arrays of its own. */
 void tr_group_attach(tr_group *group, tr_sink *sink, const char *name, tr_pass_run *run, int n_hist);

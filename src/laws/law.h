@@ -88,6 +88,11 @@ typedef struct tr_pair_bodies {
     double p1, p2;
 } tr_pair_bodies;
 
+/* Moment of inertia over m R^2 of a whole body: a disk, a sphere. */
+static inline double tr_law_inertia(tr_shape shape) {
+    return shape == TR_SHAPE_SPHERE ? 0.4 : 0.5;
+}
+
 /* 1/(1/R1 + 1/R2) [m]; of a wall the other's. */
 static inline double tr_law_R_star(double R1, double R2) {
     return R1 > 0 ? R1 * R2 / (R1 + R2) : R2;

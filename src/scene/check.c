@@ -15,7 +15,8 @@ typedef struct checker {
 
 const tr_scope *tr_check_scope(const tr_resolver *r, const char *section, int item) {
     for (int i = 0; i < r->n_scopes; i++)
-        if (r->scopes[i].item == item && strcmp(r->scopes[i].section, section) == 0) return &r->scopes[i];
+        if (r->scopes[i].item == item && !*r->scopes[i].sub && strcmp(r->scopes[i].section, section) == 0)
+            return &r->scopes[i];
     return NULL;
 }
 
@@ -245,6 +246,16 @@ static bool check_check(const checker *c, const tr_scope *s) {
     return check_picks(c, s, "contact", &check->contact);
 }
 
+/* A mapping in an item. */
+static bool check_inner(const checker *c, const tr_scope *s) {
+    if (strcmp(s->sub, "pull") != 0) return true;
+    const tr_scene_disk *d = &c->scene->disks[s->item];
+    if (d->motion == TR_FREE || d->motion == TR_PINNED || d->motion == TR_DRIVEN) return true;
+    return tr_text_fail(c->r->st, mark_in(s, "force"),
+                        "a pull does nothing to `disks.%d`, whose motion is given: take free, pinned or driven",
+                        s->item);
+}
+
 /* What no single row can say. */
 bool tr_check_together(const tr_resolver *r, tr_scene *scene) {
     const checker checker = {r, scene}, *c = &checker;
@@ -252,6 +263,10 @@ bool tr_check_together(const tr_resolver *r, tr_scene *scene) {
     for (int i = 0; i < c->r->n_scopes; i++) {
         const tr_scope *s = &c->r->scopes[i];
         const tr_scene_sample *sample = &c->scene->sample;
+        if (*s->sub) {
+            if (!check_inner(c, s)) return false;
+            continue;
+        }
         if (strcmp(s->section, "contact") == 0 && !check_laws(c, s, &c->scene->contact)) return false;
         if (strcmp(s->section, "shear") == 0 && !check_boundary(c, s)) return false;
         if (strcmp(s->section, "output") == 0 && !check_output(c, s)) return false;

@@ -111,12 +111,20 @@ typedef enum tr_motion_kind {
     TR_DRIVEN      /* keeps its spin; forces move its centre */
 } tr_motion_kind;
 
+/* A thread that is wound on a hub and pulls at an angle with a given force. */
+typedef struct tr_scene_pull {
+    bool given;
+    double force, angle, radius; /* [N/m rad m] radius: of the hub; its moment is force radius, counter-clockwise */
+} tr_scene_pull;
+
 typedef struct tr_scene_disk {
     double radius, density, x, y, angle; /* [m kg/m^3 m m rad] */
     double vx, vy, spin;                 /* [m/s m/s rad/s] */
     double torque;                       /* applied, counter-clockwise [N] */
     int motion;                          /* tr_motion_kind */
     double orbit, orbit_x, orbit_y;      /* of TR_ORBIT [rad/s m m] */
+    double inertia;                      /* over m radius^2 [1]; 0: of a whole disk or sphere */
+    tr_scene_pull pull;
 } tr_scene_disk;
 
 /* A rigid plane through (x, y); (nx, ny) points to the side where the disks are (normalised on reading). */

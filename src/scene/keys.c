@@ -235,6 +235,20 @@ static void walk_slot(printer *p, int k) {
         if (!hidden(p, slot.laws[i])) walk_law(p, &slot, i);
 }
 
+/* Mappings that an item of the list may have. */
+static void walk_inner(printer *p, const tr_section *list) {
+    for (int i = -1; (i = tr_tables_inside(list->key, p->kinds, i)) < tr_n_sections;) {
+        const tr_section *t = &tr_sections[i];
+        char cell[COLUMNS][CELL] = {""};
+        add_code(cell[0], t->key);
+        add(cell[2], t->like ? "the root's " : "none");
+        if (t->like) add_code(cell[2], t->like);
+        add(cell[3], "a mapping");
+        add(cell[4], t->doc);
+        for (int k = 0; k < COLUMNS; k++) print_cell(p, k, cell[k]);
+    }
+}
+
 /* Of a section, or, where that is NULL, of the laws of a slot. */
 static void print_table(printer *p, const tr_section *section, int slot) {
     memset(p->width, 0, sizeof p->width);
@@ -242,7 +256,7 @@ static void print_table(printer *p, const tr_section *section, int slot) {
         p->measures = measures;
         print_head(p);
         if (section)
-            walk_section(p, section);
+            walk_section(p, section), walk_inner(p, section);
         else
             walk_slot(p, slot);
     }
@@ -255,6 +269,12 @@ static void print_section(printer *p, const tr_section *t) {
     if (t->item) fprintf(p->out, "A list of %d to %d items", t->min_items, t->max_items);
     if (t->item) fputs(t->file ? ", or the name of a CSV file that holds it.\n\n" : ".\n\n", p->out);
     print_table(p, t, 0);
+    for (int i = -1; (i = tr_tables_inside(t->key, p->kinds, i)) < tr_n_sections;) {
+        const tr_section *inner = &tr_sections[i];
+        if (inner->like) continue; /* whose keys are listed there */
+        fprintf(p->out, "\n### `%s` in an item of `%s`: %s\n\n", inner->key, t->key, inner->doc);
+        print_table(p, inner, 0);
+    }
     for (const tr_section *u = t; u; u = tr_tables_next(u, p->kinds))
         if (u->first_slot) fputs("\nBeside these: the [parameters of the chosen laws](#parameters-of-laws).\n", p->out);
 }

@@ -21,6 +21,7 @@ typedef struct reader {
     tr_entry *entries; /* of all scopes, one behind the other */
     int n_entries;
     unsigned kind; /* TR_FOR_* */
+    tr_node *made; /* mappings that were filled in */
     tr_status *st;
 } reader;
 
@@ -31,7 +32,7 @@ static void *field(void *base, size_t offset) {
 /* Only the last scope opened can take entries. */
 static tr_scope *open_scope(reader *c, const char *section, int item, const tr_node *node) {
     tr_scope *s = &c->r.scopes[c->r.n_scopes++];
-    *s = (tr_scope){section, item, node, node ? node->mark : c->document->end, c->entries + c->n_entries, 0};
+    *s = (tr_scope){section, item, "", node, node ? node->mark : c->document->end, c->entries + c->n_entries, 0};
     return s;
 }
 
@@ -85,8 +86,9 @@ static bool is_list(const tr_section *t) {
 
 /* Where a key is known that this scope has not: of another kind of case, or of another choice of the first key; NULL. */
 static const tr_section *elsewhere(const tr_scope *s, const char *key) {
-    for (int i = 0; i < tr_n_sections; i++) {
+    for (int i = 0; i < tr_n_sections && !*s->sub; i++) {
         const tr_section *t = &tr_sections[i];
+        if (t->inside) continue;
         if (!*s->section && strcmp(t->key, key) == 0) return t;
         for (int k = 0; k < t->n && strcmp(t->key, s->section) == 0; k++) {
             if (strcmp(t->params[k].key, key) == 0) return t;
@@ -105,6 +107,11 @@ static void offer(char *list, size_t size, tr_near *near, const char *wanted, co
         strcpy(list + used, ", ...");
 }
 
+/* The next mapping that an item may have, as tr_tables_inside. */
+static int inner_of(const reader *c, const tr_scope *s, int i) {
+    return s->item < 0 || *s->sub ? tr_n_sections : tr_tables_inside(s->section, c->kind, i);
+}
+
 static bool unknown_key(reader *c, const tr_scope *s, const tr_node *child) {
     char list[200] = "";
     tr_near near = {NULL, 0};
@@ -114,6 +121,8 @@ static bool unknown_key(reader *c, const tr_scope *s, const tr_node *child) {
         const tr_section *t = &tr_sections[i];
         if (*t->key && tr_tables_begins(i, c->kind)) offer(list, sizeof list, &near, child->key, t->key);
     }
+    for (int i = -1; (i = inner_of(c, s, i)) < tr_n_sections;)
+        offer(list, sizeof list, &near, child->key, tr_sections[i].key);
     tr_shown key = tr_resolve_name(s, child->key);
     const tr_section *other = elsewhere(s, child->key);
     const tr_entry *first = other && other->kinds & c->kind ? s->entries : c->r.scopes->entries; /* which says that */
@@ -134,7 +143,10 @@ static bool check_keys(reader *c, const tr_scope *s) {
                                 tr_param_by_shape(e->fallback, c->r.shape, buffer));
         bool known = e;
         for (int i = 0; i < tr_n_sections && !known && !*s->section; i++)
-            known = (tr_sections[i].kinds & c->kind) && strcmp(tr_sections[i].key, child->key) == 0;
+            known = (tr_sections[i].kinds & c->kind) && !tr_sections[i].inside &&
+                    strcmp(tr_sections[i].key, child->key) == 0;
+        for (int i = -1; (i = inner_of(c, s, i)) < tr_n_sections && !known;)
+            known = strcmp(tr_sections[i].key, child->key) == 0;
         if (!known) return unknown_key(c, s, child);
     }
     return true;
@@ -181,6 +193,34 @@ static bool read_file_name(reader *c, const tr_section *t, const tr_node *node) 
     return true;
 }
 
+/* A mapping in item i of list t, if the item has it. What it is like fills in what it leaves out, before it is read. */
+static bool read_inner(reader *c, const tr_section *t, int i, const tr_node *node, char *item) {
+    char what[80];
+    snprintf(what, sizeof what, "`%s.%d.%s`", t->inside, i, t->key);
+    if (!node) return true;
+    if (!check_type(c, node, TR_NODE_MAPPING, what)) return false;
+    tr_node *whole = tr_tree_merged(node, t->like ? tr_tree_find(c->root, t->like) : NULL, c->st);
+    if (!whole) return false;
+    whole->next = c->made, c->made = whole;
+    tr_scope *s = open_scope(c, t->inside, i, whole);
+    s->sub = t->key;
+    *(bool *)field(item, t->given) = true;
+    add_rows(c, s, t->params, t->n, field(item, t->offset), NULL);
+    if (t->first_slot && !add_laws(c, s, field(item, t->offset), t->first_slot)) return false;
+    return check_keys(c, s);
+}
+
+/* Behind all items, so that neighbours in the list are neighbours among the scopes. */
+static bool read_inside(reader *c, const tr_section *list, const tr_node *node, char *items) {
+    for (int k = -1; (k = tr_tables_inside(list->key, c->kind, k)) < tr_n_sections;) {
+        char *item = items;
+        int i = 0;
+        for (const tr_node *child = node->child; child; child = child->next, i++, item += list->item)
+            if (!read_inner(c, &tr_sections[k], i, tr_tree_find(child, tr_sections[k].key), item)) return false;
+    }
+    return true;
+}
+
 static bool read_list(reader *c, const tr_section *t) {
     const tr_node *node = tr_tree_find(c->root, t->key);
     char what[48];
@@ -212,7 +252,7 @@ static bool read_list(reader *c, const tr_section *t) {
         }
         if (!check_keys(c, s)) return false;
     }
-    return true;
+    return !n || read_inside(c, t, node, items);
 }
 
 /* Room for every scope and entry that the case can have. */
@@ -224,8 +264,9 @@ static bool reserve(reader *c) {
     }
     for (int i = 0; i < tr_n_sections; i++) {
         const tr_section *t = &tr_sections[i];
-        const tr_node *node = is_list(t) ? tr_tree_find(c->root, t->key) : NULL;
-        int items = is_list(t) ? (node ? tr_tree_count(node) : 0) : 1;
+        const char *list = t->inside ? t->inside : is_list(t) ? t->key : NULL;
+        const tr_node *node = list ? tr_tree_find(c->root, list) : NULL;
+        int items = list ? (node ? tr_tree_count(node) : 0) : 1;
         scopes += items;
         entries += items * (t->n + (t->first_slot ? laws : 0));
     }
@@ -294,5 +335,6 @@ bool tr_read_document(tr_scene *scene, const tr_document *d) {
     bool ok = read_document(&c);
     free(c.r.scopes);
     free(c.entries);
+    tr_tree_free(c.made);
     return ok;
 }

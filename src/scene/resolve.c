@@ -26,7 +26,7 @@ tr_shown tr_resolve_name(const tr_scope *scope, const char *key) {
     if (scope->item < 0)
         snprintf(name, sizeof name, "%s%s%s", section, *section ? "." : "", key);
     else
-        snprintf(name, sizeof name, "%s.%d.%s", section, scope->item, key);
+        snprintf(name, sizeof name, "%s.%d.%s%s%s", section, scope->item, scope->sub, *scope->sub ? "." : "", key);
     return tr_text_show(name);
 }
 
@@ -54,7 +54,8 @@ __attribute__((format(printf, 4, 5))) static bool fail(tr_resolver *r, const tr_
 
 /* A key of the same mapping, then of the root: a key that names itself means the root's, and the key of a law that is
  * not chosen is not in the way. With dots section.key or list.number.key; in a list also previous.key, of the item
- * before, which for the first item is the item itself. */
+ * before, which for the first item is the item itself; and
+ * list.number.mapping.key. */
 static tr_entry *lookup(const tr_resolver *r, const tr_entry *asker, const char *name) {
     const tr_scope *scope = asker->scope;
     const char *dot = strchr(name, '.'), *key = dot ? dot + 1 : name;
@@ -73,10 +74,13 @@ static tr_entry *lookup(const tr_resolver *r, const tr_entry *asker, const char 
         key = end + 1;
     }
     size_t length = (size_t)(dot - name);
+    const char *inner = item >= 0 ? strchr(key, '.') : NULL; /* list.number.mapping.key */
+    size_t sub = inner ? (size_t)(inner - key) : 0;
     for (int i = 1; i < r->n_scopes; i++) {
         const tr_scope *s = &r->scopes[i];
-        if (s->item == item && strlen(s->section) == length && memcmp(s->section, name, length) == 0)
-            return tr_resolve_entry(s, key);
+        if (s->item == item && strlen(s->section) == length && memcmp(s->section, name, length) == 0 &&
+            strlen(s->sub) == sub && memcmp(s->sub, key, sub) == 0)
+            return tr_resolve_entry(s, inner ? inner + 1 : key);
     }
     return NULL;
 }

@@ -28,6 +28,7 @@ typedef struct tr_entry {
 typedef struct tr_scope {
     const char *section;
     int item;            /* number in a list; -1: not in a list */
+    const char *sub;     /* of a mapping in an item: its key; "": the item itself, or no list */
     const tr_node *node; /* NULL: not given */
     tr_mark mark;        /* where a missing key is missed */
     tr_entry *entries;

@@ -196,6 +196,8 @@ static const tr_param disk[] = {
     {"radius", TR_REAL, TR_DIM_LENGTH, "m", NULL, 1e-9, 1e3, NULL, AT(radius), "radius"},
     {"density", TR_REAL, TR_DIM_DENSITY, "kg/m^3", "2700", 1e-3, 1e6, NULL, AT(density),
      "density; of no effect where the motion is prescribed or an orbit"},
+    {"inertia", TR_REAL, TR_DIM_NUMBER, "1", "1/2|2/5", 1e-6, 1e6, NULL, AT(inertia),
+     "moment of inertia over m radius^2: 1/2 of a disk, 2/5 of a sphere, 1 of a hoop"},
     {"x", TR_REAL, TR_DIM_LENGTH, "m", NULL, -1e6, 1e6, NULL, AT(x), "centre at the start"},
     {"y", TR_REAL, TR_DIM_LENGTH, "m", NULL, -1e6, 1e6, NULL, AT(y), "centre at the start"},
     {"angle", TR_REAL, TR_DIM_NUMBER, "rad", "0", -1e9, 1e9, NULL, AT(angle),
@@ -212,6 +214,16 @@ static const tr_param disk[] = {
      "rate of `motion: orbit` about (orbit_x, orbit_y), counter-clockwise"},
     {"orbit_x", TR_REAL, TR_DIM_LENGTH, "m", "0", -1e6, 1e6, NULL, AT(orbit_x), "centre of the orbit"},
     {"orbit_y", TR_REAL, TR_DIM_LENGTH, "m", "0", -1e6, 1e6, NULL, AT(orbit_y), "centre of the orbit"},
+};
+#undef STRUCT
+
+#define STRUCT tr_scene_pull
+static const tr_param pull[] = {
+    {"force", TR_REAL, TR_DIM_FORCE, "N/m|N", NULL, -1e15, 1e15, NULL, AT(force), "given force of a thread"},
+    {"angle", TR_REAL, TR_DIM_NUMBER, "rad", "0", -1e3, 1e3, NULL, AT(angle),
+     "its direction, counter-clockwise from x"},
+    {"radius", TR_REAL, TR_DIM_LENGTH, "m", "0", -1e3, 1e3, NULL, AT(radius),
+     "of the hub that it leaves; above 0 it turns the disk counter-clockwise: pulled to the right, from below"},
 };
 #undef STRUCT
 
@@ -358,6 +370,8 @@ const tr_section tr_sections[] = {
     SECTION("output", "what is written", TR_FOR_PATCH, output_patch, .offset = AT(patch)),
     SECTION("output", "what is written", TR_FOR_BIAXIAL | TR_FOR_PAIR, output_curves, .offset = AT(output)),
     SECTION("disks", "", TR_FOR_BODIES, disk, LIST(disks, n_disks, 1, 1000)),
+    SECTION("pull", "a thread that is wound on a hub", TR_FOR_BODIES, pull, .inside = "disks",
+            .offset = offsetof(tr_scene_disk, pull), .given = offsetof(tr_scene_disk, pull.given)),
     SECTION("walls", "rigid planes", TR_FOR_BODIES, wall, LIST(walls, n_walls, 0, 100)),
     CHECKS(TR_FOR_BODIES, check, 0),
     CHECKS(TR_FOR_BODIES, check_contact, 0 TR_WHATS(BIT_OF_CONTACT)),
@@ -381,10 +395,18 @@ const tr_section tr_sections[] = {
 const int tr_n_sections = sizeof tr_sections / sizeof *tr_sections;
 
 bool tr_tables_begins(int i, unsigned kind) {
-    if (!(tr_sections[i].kinds & kind)) return false;
+    if (!(tr_sections[i].kinds & kind) || tr_sections[i].inside) return false;
     for (int k = i - 1; k >= 0 && strcmp(tr_sections[k].key, tr_sections[i].key) == 0; k--)
         if (tr_sections[k].kinds & kind) return false;
     return true;
+}
+
+int tr_tables_inside(const char *list, unsigned kind, int i) {
+    for (i++; i < tr_n_sections; i++) {
+        const tr_section *t = &tr_sections[i];
+        if (t->inside && t->kinds & kind && strcmp(t->inside, list) == 0) break;
+    }
+    return i;
 }
 
 const tr_section *tr_tables_next(const tr_section *section, unsigned kind) {

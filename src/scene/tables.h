@@ -35,6 +35,10 @@ typedef struct tr_section {
                         which these rows are; 0: all */
     bool derived;    /* the rows follow from other keys by their default: they can be named, but neither given nor
                        written. In a list their values have no place in the scene */
+    const char *inside; /* of a mapping in the items of a list: the key of that list. offset, given: in the item; NULL:
+                           not so */
+    size_t given;       /* of such a mapping: offset of a bool that says whether the item has it */
+    const char *like;   /* of such a mapping: what it does not say is as in this mapping of the root; NULL: not so */
     int first_slot;  /* of sections whose struct is a tr_scene_contact: the keys of the laws of this and later slots are
                        in it too; 0: none, so it counts from 1 */
 } tr_section;
@@ -44,6 +48,10 @@ extern const int tr_n_sections;
 
 /* Section i is for this kind (TR_FOR_*) and no neighbour before it with its key is. */
 bool tr_tables_begins(int i, unsigned kind);
+/* The number of the next section behind i that is a mapping in the items of this list, for this kind; start with -1.
+ * tr_n_sections: there is none. */
+int tr_tables_inside(const char *list, unsigned kind, int i);
+
 /* The next of these neighbours that is for this kind, or NULL. */
 const tr_section *tr_tables_next(const tr_section *section, unsigned kind);
 

@@ -253,6 +253,14 @@ bool tr_tree_merge(tr_node *over, const tr_node *base, tr_status *st) {
     return true;
 }
 
+tr_node *tr_tree_merged(const tr_node *over, const tr_node *base, tr_status *st) {
+    tr_node *node = twin(over, over->key, st);
+    if (node && node->type == TR_NODE_VALUE && !*node->text) node->type = TR_NODE_MAPPING;
+    if (!node || !base || tr_tree_merge(node, base, st)) return node;
+    tr_tree_free(node);
+    return NULL;
+}
+
 int tr_tree_count(const tr_node *node) {
     int n = 0;
     for (const tr_node *child = node->child; child; child = child->next) n++;

@@ -34,6 +34,10 @@ bool tr_tree_set(tr_node *root, const tr_source *set, tr_status *st);
  * marks. */
 bool tr_tree_merge(tr_node *over, const tr_node *base, tr_status *st);
 
+/* A new node: a copy of over, merged with base, which may be NULL. An empty value counts as an empty mapping. NULL on
+ * failure. Free with tr_tree_free. */
+tr_node *tr_tree_merged(const tr_node *over, const tr_node *base, tr_status *st);
+
 /* Child of a mapping by key; NULL when it has none, or is not a mapping, or is NULL. */
 const tr_node *tr_tree_find(const tr_node *mapping, const char *key);
 

@@ -104,6 +104,14 @@ static void write_laws(const writer *w, const void *base, int first_slot, const 
     }
 }
 
+/* A mapping in an item, if it has one. */
+static void write_inner(const writer *w, const tr_section *t, const char *item) {
+    if (!*(const bool *)(item + t->given)) return;
+    fprintf(w->out, "    %s:\n", t->key);
+    for (int k = 0; k < t->n; k++) write_key(w, &t->params[k], item + t->offset, "      ", true);
+    if (t->first_slot) write_laws(w, item + t->offset, t->first_slot, "      ");
+}
+
 /* Meanings stand at the first item only: a thousand disks must stay under the size limit of a case. */
 static void write_list(const writer *w, const tr_section *t) {
     const char *items;
@@ -117,11 +125,13 @@ static void write_list(const writer *w, const tr_section *t) {
                 if (write_key(w, &u->params[k], item, lead, i == 0)) lead = "    ";
             if (u->first_slot) write_laws(w, item, u->first_slot, "    ");
         }
+        for (int k = -1; (k = tr_tables_inside(t->key, 1u << w->scene->kind, k)) < tr_n_sections;)
+            write_inner(w, &tr_sections[k], item);
     }
 }
 
 static void write_section(const writer *w, const tr_section *t, bool begins) {
-    if (t->derived) return;
+    if (t->derived || t->inside) return;
     const char *file = NULL;
     if (t->file) memcpy(&file, (const char *)w->scene + t->file, sizeof file);
     if (file && !begins) return;

@@ -128,11 +128,10 @@ static bool look(tr_world *world, tr_bench_state *s, tr_status *st) {
         s->yy += (c->f_n * c->ny + c->f_t * c->nx) * (q[1] - p[1]);
     }
     for (int i = 0; i < world->disks.n; i++) {
-        double vx = velocity(world, i, 0), vy = velocity(world, i, 1), w = velocity(world, i, 2),
-               R = world->disks.pos[4 * (size_t)i + 3];
+        double vx = velocity(world, i, 0), vy = velocity(world, i, 1), w = velocity(world, i, 2);
         if (is_rim(world, i)) continue;
         s->kinetic += world->disks.mass[i] * (vx * vx + vy * vy) / 2;
-        s->spinning += world->disks.mass[i] * R * R / 2 * w * w / 2;
+        s->spinning += world->disks.inertia[i] * w * w / 2;
     }
     free(records);
     return st->code == TR_OK;

@@ -61,8 +61,8 @@ static sight look(const tr_bodies *b, int disk, const tr_record *contact) {
     now.x = d->pos[4 * disk], now.y = d->pos[4 * disk + 1];
     tr_bodies_velocity(&b->world, disk, now.v);
     for (int k = 0; k < 3; k++) now.force[k] = d->force[4 * disk + k] - (d->load ? d->load[4 * disk + k] : 0);
-    double R = d->pos[4 * disk + 3], I = (b->world.shape == TR_SHAPE_SPHERE ? 0.4 : 0.5) * d->mass[disk] * R * R;
-    now.energy = 0.5 * d->mass[disk] * (now.v[0] * now.v[0] + now.v[1] * now.v[1]) + 0.5 * I * now.v[2] * now.v[2];
+    now.energy = 0.5 * d->mass[disk] * (now.v[0] * now.v[0] + now.v[1] * now.v[1]) +
+                 0.5 * d->inertia[disk] * now.v[2] * now.v[2];
     now.speed = hypot(now.v[0], now.v[1]);
     return now;
 }

@@ -61,7 +61,7 @@ static void bind(line *l, int which, const tr_law *law, const tr_scene_law *chos
 static void set_line(line *l, const tr_scene_contact *laws, const tr_scene *scene) {
     const tr_scene_pair *pair = &scene->pair;
     bool sphere = scene->shape == TR_SHAPE_SPHERE;
-    double R1 = pair->R1, R2 = pair->R2, of_mass = sphere ? 0.4 : 0.5;
+    double R1 = pair->R1, R2 = pair->R2, of_mass = tr_law_inertia(scene->shape);
     /* The masses are those of free bodies. Density 0, not given: no law that is here asks for the inertia. */
     double m1 = pair->density * M_PI * R1 * R1 * (sphere ? 4 * R1 / 3 : 1);
     double m2 = pair->density * M_PI * R2 * R2 * (sphere ? 4 * R2 / 3 : 1);

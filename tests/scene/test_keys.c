@@ -54,7 +54,7 @@ static bool has_law_row(const char *text, const char *key) {
 
 /* Every key of a case as the writer writes it. Returns how many there were. */
 static int find_written(const char *resolved, const char *path) {
-    char line[LINE], kind[64] = "", section[64] = "", key[64];
+    char line[LINE], kind[64] = "", section[64] = "", inner[64] = "", key[64];
     char *keys = NULL;
     int n = 0;
     while (next_line(&resolved, line)) {
@@ -71,10 +71,13 @@ static int find_written(const char *resolved, const char *path) {
         if (!inside) snprintf(section, sizeof section, "%s", begins ? key : "");
         if (begins) continue;
         n++;
+        bool deep = strncmp(line, "      ", 6) == 0; /* in a mapping of an item of a list */
+        if (!deep) snprintf(inner, sizeof inner, "%s", *after ? "" : key);
+        const char *section_of = deep ? inner : section;
         if (!inside && strstr(after, "\"/")) continue; /* path: FILE.csv */
-        bool laws = strcmp(section, "contact") == 0 || strcmp(section, "laws") == 0;
-        if (!has_row(keys, section, key) && !(laws && has_law_row(keys, key)))
-            fail_msg("%s: `%s` of `%s` of kind %s is in no table", path, key, section, kind);
+        bool laws = strcmp(section_of, "contact") == 0 || strcmp(section_of, "laws") == 0;
+        if (!has_row(keys, section_of, key) && !(laws && has_law_row(keys, key)))
+            fail_msg("%s: `%s` of `%s` of kind %s is in no table", path, key, section_of, kind);
     }
     free(keys);
     return n;
@@ -136,6 +139,8 @@ static void ask_reader(const char *kind, const char *section, const char *key, c
     snprintf(item, sizeof item, "{%s%s%s%s: 1}", *what ? "what: " : "", what, *what ? ", " : "", key);
     if (!*section)
         snprintf(text + n, sizeof text - (size_t)n, "%s: 1\n", key);
+    else if (!strcmp(section, "pull"))
+        snprintf(text + n, sizeof text - (size_t)n, "disks: [{pull: %s}]\n", item);
     else
         snprintf(text + n, sizeof text - (size_t)n, strstr(lists, section) ? "%s: [%s]\n" : "%s: %s\n", section, item);
     tr_scene scene;

@@ -223,6 +223,8 @@ static void fill(tr_scene *s, int n, tr_random *random) {
         s->disks[i] = (tr_scene_disk){
             u / 3, u / 7,         -u / 11,         sqrt(u),          -u * DBL_MIN,      DBL_TRUE_MIN,
             -0.0,  exp(-100 * u), .motion = i % 5, .orbit = -u / 13, .orbit_x = u / 17, .orbit_y = u / 19};
+        s->disks[i].inertia = u / 23;
+        if (i % 10 == 0) s->disks[i].pull = (tr_scene_pull){true, -u / 29, u / 31, -u / 37};
     }
     for (int i = 0; i < 100; i++)
         s->walls[i] = (tr_scene_wall){.nx = tr_random_uniform(random) + 1e-9, .ny = -3 * sin(i)};
