@@ -61,14 +61,22 @@ typedef struct tr_biaxial {
     double held_sum, held_strain; /* since the last check: strain, and sum of held over asked stress times strain */
 } tr_biaxial;
 
+/* Columns of history.csv, field and unit "disk|sphere": a new one is a row here and its line in biaxial.c. */
+#define TR_BIAXIAL_STRESSES(ROW)                                                                                       \
+    ROW(strain, "1")        /* (H0 - H)/H0, compression positive */                                                    \
+    ROW(stress_1, "Pa|N/m") /* mean over the steps since the last read: horizontal walls, */                           \
+    ROW(stress_2, "Pa|N/m") /* lateral walls; compression positive */                                                  \
+    ROW(sin_phi, "1")       /* (s1 - s2)/(s1 + s2); 0 without stress */                                                \
+    ROW(void_ratio, "1")    /* (box area - disk area)/disk area */
+#define TR_BIAXIAL_BOX(ROW)                                                                                            \
+    ROW(time, "s") /* since the start of the shear */                                                                  \
+    ROW(height, "m")                                                                                                   \
+    ROW(width, "m")
+
+#define TR_BIAXIAL_FIELD(name, unit) double name;
 typedef struct tr_biaxial_state {
-    double strain;             /* (H0 - H)/H0, compression positive */
-    double time;               /* since the start of the shear [s] */
-    double stress_1, stress_2; /* mean over the steps since the last read: horizontal walls, lateral walls [Pa],
-                                  compression positive */
-    double sin_phi;            /* (s1 - s2)/(s1 + s2); 0 without stress */
-    double void_ratio;         /* (box area - disk area)/disk area */
-    double height, width;      /* [m] */
+    TR_BIAXIAL_STRESSES(TR_BIAXIAL_FIELD)
+    TR_BIAXIAL_BOX(TR_BIAXIAL_FIELD)
 } tr_biaxial_state;
 
 /* What contacts do in compaction: the normal law of the scene, friction compaction.mu, no rolling resistance. */

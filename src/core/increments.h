@@ -41,14 +41,22 @@ typedef struct tr_spread {
     double q1, median, q3, mean;
 } tr_spread;
 
-/* All 0 where there is nothing to tell of. */
+/* All 0 where there is nothing to tell of. Field, column of history.csv, what the column is divided by: a new one is a row
+ * here and its line in increments.c. R: mean radius of the disks. A SPREAD is four columns. */
+#define TR_INCREMENTS(ROW, SPREAD)                                                                                     \
+    ROW(followed, "followed", 1) /* contacts that touched all the time, over the mean number of those that touch */    \
+    SPREAD(roll, "roll_over_slide")                                                                                    \
+    SPREAD(creep, "creep_over_slide")                                                                                  \
+    ROW(width, "a_over_R", R)                            /* mean of a over contacts and steps [m] */                   \
+    ROW(tangential, "friction_share_of_q", 1)            /* share of friction in sigma_y - sigma_x */                  \
+    ROW(run, "run_over_a_median", 1)                     /* half of the runs, */                                       \
+    ROW(run_by_length, "run_over_a_median_by_length", 1) /* and half of the way in runs, is longer [a] */              \
+    ROW(long_runs, "rolled_in_runs_above_2a", 1)         /* share of the way in runs that is in runs above 2 a */
+
+#define TR_INCREMENT_FIELD(name, ...) double name;
+#define TR_INCREMENT_SPREAD(name, ...) tr_spread name;
 typedef struct tr_increments_state {
-    double followed;           /* contacts that touched all the time, over the mean number of those that touch */
-    tr_spread roll, creep;     /* over sliding */
-    double width;              /* mean of a over contacts and steps [m] */
-    double tangential;         /* share of friction in sigma_y - sigma_x */
-    double run, run_by_length; /* half of the runs, and half of the way in runs, is longer [a] */
-    double long_runs;          /* share of the way in runs that is in runs above 2 a */
+    TR_INCREMENTS(TR_INCREMENT_FIELD, TR_INCREMENT_SPREAD)
 } tr_increments_state;
 
 /* What one contact has done since the last read, or since it touched [m]; signs as Vs, s1 and s2 have them. */

@@ -31,12 +31,22 @@
 
 #include "core/world.h"
 
+/* Columns of history.csv [J/m|J]: a new one is a row here and its line in ledger.c. */
+#define TR_ENERGIES(ROW)                                                                                               \
+    ROW(work) /* of the walls on the disks since the ledger began */                                                   \
+    ROW(kinetic)                                                                                                       \
+    ROW(elastic_normal)                                                                                                \
+    ROW(elastic_friction)                                                                                              \
+    ROW(elastic_rolling)                                                                                               \
+    ROW(damped) /* this and the two below: dissipated since then, net */                                               \
+    ROW(friction)                                                                                                      \
+    ROW(rolling)                                                                                                       \
+    ROW(residual)
+
+#define TR_ENERGY_FIELD(name) double name;
 typedef struct tr_energy {
-    double kinetic, elastic_normal, elastic_friction, elastic_rolling; /* now [N] = J per metre of length */
-    double damped, friction, rolling;                                  /* dissipated since the ledger began, net [N] */
+    TR_ENERGIES(TR_ENERGY_FIELD)
     double made[TR_N_SLOTS]; /* by the normal, friction, rolling law since then, >= 0 [N] */
-    double work;             /* of the walls on the disks since then [N] */
-    double residual;         /* [N] */
 } tr_energy;
 
 void tr_ledger_attach(tr_group *group, tr_ledger *ledger);

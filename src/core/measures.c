@@ -6,11 +6,11 @@
 tr_measures tr_measures_of(const tr_world *world, const tr_record *records, int n) {
     tr_measures m = {.n_contacts = n};
     double rolled = 0, moved = 0, forces = 0, net = 0, ends = 0;
-    int sliding = 0, opposed = 0;
+    int sliding = 0, opposed = 0, pairs = 0; /* pairs of disks */
     for (int i = 0; i < n; i++) {
         const tr_record *c = &records[i];
         bool disks = c->a >= 0;
-        m.n_disk_contacts += disks;
+        pairs += disks;
         ends += disks ? 2 : 1;
         forces += hypot(c->f_n, c->f_t);
         m.mean_f_n += c->f_n / n;
@@ -25,10 +25,10 @@ tr_measures tr_measures_of(const tr_world *world, const tr_record *records, int 
     int disks = world->disks.n;
     for (int i = 0; i < disks; i++) net += hypot(world->disks.force[4 * i], world->disks.force[4 * i + 1]);
     m.coordination = ends / disks;
-    if (m.n_disk_contacts) {
-        m.sliding_fraction = (double)sliding / m.n_disk_contacts;
-        m.opposed_fraction = (double)opposed / m.n_disk_contacts;
-        m.mobilisation /= m.n_disk_contacts;
+    if (pairs) {
+        m.sliding_fraction = (double)sliding / pairs;
+        m.opposed_fraction = (double)opposed / pairs;
+        m.mobilisation /= pairs;
     }
     m.rolling_share = moved > 0 ? rolled / moved : 0;
     m.unbalanced = forces > 0 ? (net / disks) / (forces / n) : 0;

@@ -8,6 +8,18 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#define ADD(name, ...) sum->name += m->name;
+#define DIVIDE(name, ...) sum->name /= n;
+static void add_measures(tr_measures *sum, const tr_measures *m) {
+    TR_CONTACT_MEASURES(ADD)
+    TR_FORCE_MEASURES(ADD)
+}
+
+static void divide_measures(tr_measures *sum, int n) {
+    TR_CONTACT_MEASURES(DIVIDE)
+    TR_FORCE_MEASURES(DIVIDE)
+}
+
 tr_strength tr_summary_strength(const tr_series *s) {
     tr_strength r = {0};
     if (s->n < 2) return r;
@@ -21,12 +33,12 @@ tr_strength tr_summary_strength(const tr_series *s) {
             best = sum / window, r.strain_peak = s->strain[i] - 0.5 * (window - 1) * spacing;
         if (s->strain[i] < r.residual_from) continue;
         r.sin_phi_residual += s->sin_phi[i], r.e_residual += s->void_ratio[i];
-        r.rolling_share += s->rolling_share[i], r.opposed_fraction += s->opposed_fraction[i];
+        add_measures(&r.residual, &s->measures[i]);
         kept++;
     }
     r.sin_phi_peak = best;
     r.sin_phi_residual /= kept, r.e_residual /= kept;
-    r.rolling_share /= kept, r.opposed_fraction /= kept;
+    divide_measures(&r.residual, kept);
     return r;
 }
 
@@ -159,8 +171,10 @@ char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, 
     add(o, "tan_phi_residual", tr_biaxial_tan_phi(s->sin_phi_residual));
     add(o, "q_over_p_peak", 2 * s->sin_phi_peak);
     add(o, "q_over_p_residual", 2 * s->sin_phi_residual);
-    add(o, "rolling_share_residual", s->rolling_share);
-    add(o, "opposed_fraction_residual", s->opposed_fraction);
+#define RESIDUAL(name, unit, quoted)                                                                                   \
+    if (quoted) add(o, #name "_residual", s->residual.name);
+    TR_CONTACT_MEASURES(RESIDUAL)
+    TR_FORCE_MEASURES(RESIDUAL)
     add(o, "residual_from_strain", s->residual_from);
     add(o, "strain_end", scene->shear.strain_end);
     add_by_shape(o, scene->shape, "mean_stress_2_Pa|mean_stress_2_N_per_m", mean_stress_2);

@@ -6,6 +6,7 @@
 #include "core/biaxial.h"
 #include "core/bodies.h"
 #include "core/ledger.h"
+#include "core/measures.h"
 
 typedef struct tr_timing {
     double wall_s,
@@ -15,7 +16,8 @@ typedef struct tr_timing {
 /* Rows of the shear as the summary needs them. */
 typedef struct tr_series {
     int n;
-    double *strain, *sin_phi, *void_ratio, *rolling_share, *opposed_fraction;
+    double *strain, *sin_phi, *void_ratio;
+    tr_measures *measures;
 } tr_series;
 
 /* What a biaxial test is quoted by. */
@@ -24,9 +26,8 @@ typedef struct tr_strength {
     double strain_peak;      /* strain at the middle of that window */
     double sin_phi_residual; /* mean over the last quarter of the strain: 15-20 % of 20 % */
     double e_residual;       /* void ratio, the same mean */
-    double rolling_share;    /* tr_measures, the same mean */
-    double opposed_fraction;
-    double residual_from; /* strain at which the last quarter starts */
+    tr_measures residual;    /* the same mean of each */
+    double residual_from;    /* strain at which the last quarter starts */
 } tr_strength;
 
 /* What a law, or the solver of kind: patch, did on the path of a contact. */

@@ -53,39 +53,21 @@ bool tr_row_write_exact(const tr_row *row, tr_file *file, tr_status *st) {
 }
 
 void tr_row_biaxial(tr_row *row, const tr_biaxial_state *s, const tr_measures *m, const tr_energy *e) {
+#define STATE(name, unit) tr_row_add_in(row, s->name, #name, unit);
+#define MEASURE(name, unit, quoted) tr_row_add_in(row, m->name, #name, unit);
+#define ENERGY(name) tr_row_add_in(row, e->name, #name, "J/m|J");
     row->n = 0;
-    tr_row_add(row, s->strain, "strain");
-    tr_row_add(row, s->stress_1, "stress_1_Pa|stress_1_N_per_m");
-    tr_row_add(row, s->stress_2, "stress_2_Pa|stress_2_N_per_m");
-    tr_row_add(row, s->sin_phi, "sin_phi");
-    tr_row_add(row, s->void_ratio, "void_ratio");
-    tr_row_add(row, m->n_contacts, "n_contacts");
-    tr_row_add(row, m->coordination, "coordination");
-    tr_row_add(row, m->sliding_fraction, "sliding_fraction");
-    tr_row_add(row, m->rolling_share, "rolling_share");
-    tr_row_add(row, m->opposed_fraction, "opposed_fraction");
-    tr_row_add(row, m->mobilisation, "mobilisation");
+    TR_BIAXIAL_STRESSES(STATE)
+    TR_CONTACT_MEASURES(MEASURE)
     tr_row_add(row, tr_biaxial_tan_phi(s->sin_phi), "tan_phi");
     tr_row_add(row, 2 * s->sin_phi, "q_over_p"); /* q = s1 - s2, p = (s1 + s2)/2 */
-    tr_row_add(row, m->unbalanced, "unbalanced");
-    tr_row_add(row, m->mean_f_n, "mean_f_n_N_per_m|mean_f_n_N");
-    tr_row_add(row, m->largest_overlap, "largest_overlap");
-    tr_row_add(row, s->time, "time_s");
-    tr_row_add(row, s->height, "height_m");
-    tr_row_add(row, s->width, "width_m");
+    TR_FORCE_MEASURES(MEASURE)
+    TR_BIAXIAL_BOX(STATE)
     if (!e) return;
-    tr_row_add(row, e->work, "work_J_per_m|work_J");
-    tr_row_add(row, e->kinetic, "kinetic_J_per_m|kinetic_J");
-    tr_row_add(row, e->elastic_normal, "elastic_normal_J_per_m|elastic_normal_J");
-    tr_row_add(row, e->elastic_friction, "elastic_friction_J_per_m|elastic_friction_J");
-    tr_row_add(row, e->elastic_rolling, "elastic_rolling_J_per_m|elastic_rolling_J");
-    tr_row_add(row, e->damped, "damped_J_per_m|damped_J");
-    tr_row_add(row, e->friction, "friction_J_per_m|friction_J");
-    tr_row_add(row, e->rolling, "rolling_J_per_m|rolling_J");
-    tr_row_add(row, e->residual, "residual_J_per_m|residual_J");
-    tr_row_add(row, e->made[TR_NORMAL], "damped_made_J_per_m|damped_made_J");
-    tr_row_add(row, e->made[TR_FRICTION], "friction_made_J_per_m|friction_made_J");
-    tr_row_add(row, e->made[TR_ROLLING], "rolling_made_J_per_m|rolling_made_J");
+    TR_ENERGIES(ENERGY)
+    tr_row_add_in(row, e->made[TR_NORMAL], "damped_made", "J/m|J");
+    tr_row_add_in(row, e->made[TR_FRICTION], "friction_made", "J/m|J");
+    tr_row_add_in(row, e->made[TR_ROLLING], "rolling_made", "J/m|J");
 }
 
 static void add_spread(tr_row *row, tr_spread s, const char *name) {
@@ -95,15 +77,10 @@ static void add_spread(tr_row *row, tr_spread s, const char *name) {
     tr_row_add(row, s.mean, "%s_mean", name);
 }
 
-void tr_row_increments(tr_row *row, const tr_increments_state *s, double mean_radius) {
-    tr_row_add(row, s->followed, "followed");
-    add_spread(row, s->roll, "roll_over_slide");
-    add_spread(row, s->creep, "creep_over_slide");
-    tr_row_add(row, s->width / mean_radius, "a_over_R");
-    tr_row_add(row, s->tangential, "friction_share_of_q");
-    tr_row_add(row, s->run, "run_over_a_median");
-    tr_row_add(row, s->run_by_length, "run_over_a_median_by_length");
-    tr_row_add(row, s->long_runs, "rolled_in_runs_above_2a");
+void tr_row_increments(tr_row *row, const tr_increments_state *s, double R) {
+#define INCREMENT(field, name, over) tr_row_add(row, s->field / (over), name);
+#define SPREAD(field, name) add_spread(row, s->field, name);
+    TR_INCREMENTS(INCREMENT, SPREAD)
 }
 
 void tr_row_contact(tr_row *row, double time, double strain, const tr_record *c) {

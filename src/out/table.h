@@ -44,8 +44,8 @@ bool tr_row_write_exact(const tr_row *row, tr_file *file, tr_status *st);
 /* One row of history.csv of a biaxial test; energy may be NULL. */
 void tr_row_biaxial(tr_row *row, const tr_biaxial_state *state, const tr_measures *measures, const tr_energy *energy);
 
-/* Further cells of it, with output.increments. mean_radius: of the disks [m]. */
-void tr_row_increments(tr_row *row, const tr_increments_state *state, double mean_radius);
+/* Further cells of it, with output.increments. R: mean radius of the disks [m]. */
+void tr_row_increments(tr_row *row, const tr_increments_state *state, double R);
 
 /* The cells of a row of contacts.csv: every touching contact is one. strain < 0: there is none (bodies). */
 void tr_row_contact(tr_row *row, double time, double strain, const tr_record *record);

@@ -84,8 +84,7 @@ static void keep_rest(test *t, tr_checkpoint *c) {
     TR_KEEP(c, t->series.strain, t->series.n);
     TR_KEEP(c, t->series.sin_phi, t->series.n);
     TR_KEEP(c, t->series.void_ratio, t->series.n);
-    TR_KEEP(c, t->series.rolling_share, t->series.n);
-    TR_KEEP(c, t->series.opposed_fraction, t->series.n);
+    TR_KEEP_NUMBERS(c, t->series.measures, t->series.n);
     tr_file_checkpoint(&t->disks, c);
     tr_inset_checkpoint(&t->inset, c);
     tr_outputs_checkpoint(&t->out, c);
@@ -190,7 +189,7 @@ static bool frame(test *t, int n_records, const tr_measures *m, tr_status *st) {
     snprintf(text[0], sizeof text[0], "%.1f %%", 100 * t->state.strain);
     snprintf(text[1], sizeof text[1], "%.2f", t->state.sin_phi);
     snprintf(text[2], sizeof text[2], "%.3f", t->state.void_ratio);
-    snprintf(text[3], sizeof text[3], "%d", m->n_contacts);
+    snprintf(text[3], sizeof text[3], "%.0f", m->n_contacts);
     snprintf(text[4], sizeof text[4], "%.0f %%", 100 * m->sliding_fraction);
     tr_view view = t->view;
     view.record = t->out.records, view.n_records = n_records;
@@ -212,8 +211,7 @@ static bool row(test *t, const tr_measures *m, tr_status *st) {
     t->series.strain[t->series.n] = t->state.strain;
     t->series.sin_phi[t->series.n] = t->state.sin_phi;
     t->series.void_ratio[t->series.n] = t->state.void_ratio;
-    t->series.rolling_share[t->series.n] = m->rolling_share;
-    t->series.opposed_fraction[t->series.n++] = m->opposed_fraction;
+    t->series.measures[t->series.n++] = *m;
     bool early = t->state.strain <= fmin(0.01, 0.5 * t->scene->shear.strain_end);
     if (!early) t->stress_1_sum += t->state.stress_1, t->stress_2_sum += t->state.stress_2, t->stress_n++;
     tr_row_biaxial(&cells, &t->state, m, energy ? &t->energy : NULL);
@@ -392,8 +390,8 @@ static void report(test *t, const tr_strength *s, const tr_accuracy *a, const tr
     else
         tr_run_say(r, "not examined", "%s", a->not_examined);
     tr_run_say(r, "void ratio, residual", "%.4f", s->e_residual);
-    tr_run_say(r, "rolling share, residual", "%.3f", s->rolling_share);
-    tr_run_say(r, "contacts with s1 s2 < 0", "%.1f %%, residual", 100 * s->opposed_fraction);
+    tr_run_say(r, "rolling share, residual", "%.3f", s->residual.rolling_share);
+    tr_run_say(r, "contacts with s1 s2 < 0", "%.1f %%, residual", 100 * s->residual.opposed_fraction);
     bool mean = t->scene->shear.hold == TR_HOLD_MEAN;
     double held = mean ? 0.5 * (t->stress_1_sum + t->stress_2_sum) : t->stress_2_sum;
     tr_run_say(r, mean ? "mean stress" : "lateral stress", "%.4g %s, asked %.4g", held / t->stress_n,
@@ -460,8 +458,7 @@ bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run
     bool ok = (t->series.strain = tr_alloc(rows, sizeof(double), st)) &&
               (t->series.sin_phi = tr_alloc(rows, sizeof(double), st)) &&
               (t->series.void_ratio = tr_alloc(rows, sizeof(double), st)) &&
-              (t->series.rolling_share = tr_alloc(rows, sizeof(double), st)) &&
-              (t->series.opposed_fraction = tr_alloc(rows, sizeof(double), st)) &&
+              (t->series.measures = tr_alloc(rows, sizeof(tr_measures), st)) &&
               (t->fill = tr_alloc(disks, sizeof(double), st)) && (t->ends = tr_alloc(disks, sizeof(int), st)) &&
               (!options->sample || tr_packing_check(scene, options->sample, st)) &&
               tr_run_open(scene, options, &t->resume, report, st);
@@ -484,7 +481,7 @@ bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run
     tr_inset_close(&t->inset);
     free(t->resume.bytes);
     free(t->series.strain), free(t->series.sin_phi), free(t->series.void_ratio);
-    free(t->series.rolling_share), free(t->series.opposed_fraction);
+    free(t->series.measures);
     free(t->fill), free(t->ends), free(t);
     return ok;
 }
