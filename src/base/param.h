@@ -110,6 +110,7 @@ typedef struct tr_param_catalog {
     const tr_param_table *const *normal, *const *friction, *const *rolling;
     int n_normal, n_friction, n_rolling;
     const char *rolling_velocities; /* "wang|bagi-kuhn|..." */
+    const char *arms;               /* "shared|midpoint" */
     const tr_param_renamed *renamed;
     int n_renamed;
 } tr_param_catalog;

@@ -84,15 +84,19 @@ TR_VECTOR static void account_dashpot(const tr_tile *restrict tile, double *rest
     }
 }
 
-/* A force along t, as a couple f_r L turned by Vs/L: the arms, L in sum, are not those of the step before. What
+/* A force along t, as a couple f_r L turned by Vs/L: the arms, L in sum, are not those of the step before. f_r has
+ * shared arms; where friction has others, v_s is not the velocity of f_r. What
  * that step left is cut by as much as its moments. */
 TR_VECTOR static void account_couple(const tr_tile *restrict tile, const double *restrict moment,
-                                     const double *restrict bound, double *restrict before, double *restrict lost) {
+                                     const double *restrict bound, bool shared_arms, double *restrict before,
+                                     double *restrict lost) {
     const double dt = tile->dt;
     for (int i = 0; i < tile->n; i++) {
-        double L = tile->r1[i] + tile->r2[i], couple = tile->f_r[i] * L, share = bound[i] / fabs(moment[i]);
+        double turn = (tile->s1[i] - tile->s2[i]) / (tile->R1[i] + tile->R2[i]); /* Vs/L by shared arms */
+        double L = tr_tile_length(tile, i), couple = tile->f_r[i] * L, share = bound[i] / fabs(moment[i]);
         double first = share < 1 ? before[i] * share : before[i];
-        lost[i] = 0.5 * (first + couple) * (tile->v_s[i] / L) * dt;
+        turn = shared_arms ? tile->v_s[i] / L : turn;
+        lost[i] = 0.5 * (first + couple) * turn * dt;
         before[i] = couple;
     }
 }
@@ -112,7 +116,7 @@ static void account_rolling(tr_group *g, const tr_tile *tile, const double *ener
     bool force = law->needs & TR_GIVES_F_R, opposite = law->claims & TR_BALANCED;
     int n = tile->n, first = tile->first;
     tr_lane spin, couple, of_1;
-    if (force) account_couple(tile, h[FORCE] + first, bound, *more++ + first, couple);
+    if (force) account_couple(tile, h[FORCE] + first, bound, g->shared_arms, *more++ + first, couple);
     find_spin(tile, opposite ? 1 : 0, spin);
     account_spring(n, dt, tile->m2, spin, bound, energy, h[FORCE] + first, h[STORED] + first, lost);
     if (force) add(n, couple, lost);

@@ -33,8 +33,7 @@ static void group_add_pass(tr_group *g, const char *name, tr_pass_run *run, cons
 }
 
 /* The list of passes a scene asked for: what it leaves out is not there. */
-static void group_choose(tr_group *g, const tr_scene_contact *contact, bool normal_only, int rolling_velocity,
-                         tr_shape shape, bool images) {
+static void group_choose(tr_group *g, const tr_scene_contact *contact, bool normal_only, tr_shape shape, bool images) {
     tr_group_free(g);
     g->shape = shape;
     g->n_pair = images ? 5 : 3;
@@ -46,13 +45,16 @@ static void group_choose(tr_group *g, const tr_scene_contact *contact, bool norm
     const tr_law *friction = g->slot[TR_FRICTION].law, *rolling = g->slot[TR_ROLLING].law;
     g->spins = friction->step || rolling->step;
 
-    group_add_pass(g, "kinematics", g->walls ? tr_kinematics_wall : tr_kinematics_pair, NULL);
+    const tr_arms *arms = &tr_arms_rows[contact->arms];
+    group_add_pass(g, "kinematics", g->walls ? arms->wall : arms->pair, NULL);
     group_add_pass(g, "normal", g->slot[TR_NORMAL].law->step, &g->slot[TR_NORMAL]);
     if (friction->step) group_add_pass(g, "friction", friction->step, &g->slot[TR_FRICTION]);
-    tr_pass_run *velocity = tr_law_rolling_velocity(rolling, rolling_velocity);
+    tr_pass_run *velocity = tr_law_rolling_velocity(rolling, contact->rolling_velocity);
     if (velocity) group_add_pass(g, "rolling velocity", velocity, NULL);
     if (rolling->step) group_add_pass(g, "rolling", rolling->step, &g->slot[TR_ROLLING]);
-    tr_pass_run *torques = rolling->needs & TR_GIVES_F_R ? tr_resultant_rolling_force : tr_resultant_full;
+    g->shared_arms = contact->arms == 0;
+    tr_pass_run *pulls = g->shared_arms ? tr_resultant_rolling_force : tr_resultant_rolling_apart;
+    tr_pass_run *torques = rolling->needs & TR_GIVES_F_R ? pulls : tr_resultant_full;
     group_add_pass(g, "resultant", g->spins ? torques : tr_resultant_central, NULL);
 }
 
@@ -67,6 +69,7 @@ bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool sm
     world->wide_skin = WIDE_SKIN * sum / world->disks.n;
     world->thin_skin = fmin(THIN_SKIN * sum / world->disks.n, TR_LARGEST_OVERLAP * r_min);
     world->rolling_velocity = contact->rolling_velocity;
+    world->arms = contact->arms;
     world->stale = world->fresh = true;
     world->sure_dt = 0;
     tr_shares_free(world->shares), world->shares = NULL; /* lanes again */
@@ -77,7 +80,7 @@ bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool sm
     if (sinks & TR_SINK_LEDGER && !(world->ledger = tr_alloc(1, sizeof *world->ledger, st))) return false;
     for (int k = 0; k < 2; k++) {
         tr_group *g = &world->group[k];
-        group_choose(g, contact, g->walls && smooth_walls, contact->rolling_velocity, world->shape,
+        group_choose(g, contact, g->walls && smooth_walls, world->shape,
                      !g->walls && world->cell.side[0] > 0);
         if (sinks & TR_SINK_LEDGER) tr_ledger_attach(g, world->ledger);
         if (sinks & TR_SINK_ARCS) tr_arcs_attach(g);

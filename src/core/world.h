@@ -117,6 +117,7 @@ struct tr_group {
     bool walls;
     tr_shape shape;
     bool spins;    /* friction or rolling: spins are gathered and torques scattered */
+    bool shared_arms; /* of friction, too: row 0 of tr_arms_rows */
     bool in_order; /* a sink sums over contacts, or numbers them: one tile after the other, by one thread */
     int n, capacity;
     int *a, *b;
@@ -163,6 +164,7 @@ typedef struct tr_world {
     bool boxed;            /* the walls are those of a box */
     tr_periodic_cell cell; /* set before the laws */
     int rolling_velocity;  /* index into tr_rolling_velocities */
+    int arms;              /* index into tr_arms_rows */
     tr_group group[2];     /* disk-disk, wall-disk */
     tr_ledger *ledger;     /* NULL: not kept */
     tr_tile *tile;         /* one, reused; allocated apart because its lanes are aligned */

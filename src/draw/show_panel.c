@@ -5,6 +5,7 @@
 
 #include "draw/show.h"
 #include "draw/show_bar.h"
+#include "laws/kinematics.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -79,12 +80,18 @@ static void draw_arcs(tr_rows *rows) {
     }
 }
 
+/* Whose velocity the laws of the scene take. */
+static bool is_used(const tr_world *world, const tr_velocity_measure *measure, bool rolling) {
+    return !strcmp(measure->name, rolling ? tr_rolling_velocities[world->rolling_velocity].name
+                                          : tr_arms_rows[world->arms].sliding);
+}
+
 static void draw_definitions(tr_rows *rows, bool rolling) {
     const tr_velocity_measure *measure = rolling ? tr_rolling_velocities : tr_sliding_velocities;
     int n = rolling ? tr_n_rolling_velocities : tr_n_sliding_velocities;
     for (int k = 0; k < n && k < rows->most; k++) {
         char label[64];
-        bool used = k == (rolling ? rows->lane->world->rolling_velocity : 0); /* friction uses the first */
+        bool used = is_used(rows->lane->world, &measure[k], rolling);
         snprintf(label, sizeof label, "%s %s", rolling ? "V_r" : "V_s", measure[k].name);
         tr_pen_text(rows->cr, label_of(rows, used, 0), label);
         for (int i = 0; i < rows->shown; i++) {

@@ -53,12 +53,18 @@ typedef struct tr_tile {
     tr_lane f_elastic, f_n; /* elastic part of, and whole normal force, >= 0 [N/m] */
     tr_lane f_t;            /* friction Q: on body 2 it is -Q t [N/m] */
     tr_lane m1, m2;         /* rolling moments on 1 and on 2 [N] */
-    tr_lane f_r; /* force at the contact point of a law with TR_GIVES_F_R, like f_t: on body 2 it is -f_r t [N/m] */
+    tr_lane f_r; /* force at the contact point of a law with TR_GIVES_F_R, like f_t: on body 2 it is -f_r t [N/m]. Its
+                    arms are the shared ones, R_i |X21|/(R1+R2) and R2 at a wall, whichever the scene has */
     /* resultant: force on body 2, on 1 the opposite [N/m]; torques on 1 and 2 [N] */
     tr_lane fx, fy, q1, q2;
     /* dV_r/ds1, dV_r/ds2 of the scene's definition: for laws with TR_NEEDS_PARTIALS */
     tr_lane p1, p2;
 } tr_tile;
+
+/* |X21| of contact i; of a wall, which has no centre, R2. Any arms of a scene. */
+static inline double tr_tile_length(const tr_tile *tile, int i) {
+    return tile->g1[i] < 1 ? tile->r1[i] + tile->r2[i] : tile->R2[i];
+}
 
 typedef struct tr_law tr_law;
 
@@ -227,6 +233,7 @@ typedef struct tr_velocity_measure {
 extern const tr_velocity_measure tr_rolling_velocities[], tr_sliding_velocities[];
 extern const int tr_n_rolling_velocities, tr_n_sliding_velocities, tr_n_rolling_measures, tr_n_sliding_measures;
 extern const char tr_rolling_velocity_choices[]; /* "|wang|bagi-kuhn|..." */
+extern const char tr_arms_choices[];             /* "|shared|midpoint": see kinematics.h */
 
 /* The pass that a rolling law needs before its own: NULL, or of definition number `definition`. */
 static inline tr_pass_run *tr_law_rolling_velocity(const tr_law *rolling, int definition) {

@@ -61,6 +61,7 @@ const tr_param_catalog *tr_laws_catalog(void) {
         COUNT(friction_tables),
         COUNT(rolling_tables),
         tr_rolling_velocity_choices + 1,
+        tr_arms_choices + 1,
         renamed,
         COUNT(renamed),
     };

@@ -15,7 +15,8 @@
  *
  * the same forces are balanced moments -s R_eff T on 1, +s R_eff T on 2, and a force f_r = e T (R1+R2)/L that acts as
  * friction does with arms R_i L/(R1+R2), -f_r t on 2. This is what m1, m2 and f_r hold; of wang e = 0. The power is
- * -T V_r; momentum and angular momentum are kept. f_r is not bounded by mu f_n, so |f_t + f_r| may exceed it.
+ * -T V_r; momentum and angular momentum are kept. f_r is not bounded by mu f_n, so |f_t + f_r| may exceed it. Friction
+ * may have other arms (contact.arms); f_r keeps these, and so its power.
  *
  * SWITCHING. Of alonso-* p1 and p2 jump where the case changes. The step does work by the mean of the forces at its
  * two ends, (T p + T' p')/2, so T is stretched by the mean of the old and the new case: a switch then takes
@@ -55,7 +56,7 @@ TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict d
         trial = trial > bound ? bound : trial;
         trial = trial < -bound ? -bound : trial;
         double share = new1 + new2, moment = g1[i] * R2[i] * share * trial;
-        double per_L = (R1[i] + R2[i]) / (tile->r1[i] + tile->r2[i]);
+        double per_L = (R1[i] + R2[i]) / tr_tile_length(tile, i);
         T[i] = trial, old1[i] = bound > 0 ? new1 : 0, old2[i] = bound > 0 ? new2 : 0;
         tile->m1[i] = -moment;
         tile->m2[i] = moment;
@@ -71,6 +72,18 @@ TR_VECTOR void tr_resultant_rolling_force(tr_tile *restrict tile, const tr_law_d
         tile->fy[i] = tile->f_n[i] * tile->ny[i] + along * tile->nx[i];
         tile->q1[i] = tile->m1[i] - tile->r1[i] * along;
         tile->q2[i] = tile->m2[i] - tile->r2[i] * along;
+    }
+}
+
+TR_VECTOR void tr_resultant_rolling_apart(tr_tile *restrict tile, const tr_law_data *data) {
+    (void)data;
+    for (int i = 0; i < tile->n; i++) {
+        double along = tile->f_t[i] + tile->f_r[i], L = tr_tile_length(tile, i), shared1 = tile->g1[i] * L;
+        shared1 = tile->g1[i] < 1 ? shared1 : 0;
+        tile->fx[i] = tile->f_n[i] * tile->nx[i] - along * tile->ny[i];
+        tile->fy[i] = tile->f_n[i] * tile->ny[i] + along * tile->nx[i];
+        tile->q1[i] = tile->m1[i] - tile->r1[i] * tile->f_t[i] - shared1 * tile->f_r[i];
+        tile->q2[i] = tile->m2[i] - tile->r2[i] * tile->f_t[i] - (L - shared1) * tile->f_r[i];
     }
 }
 

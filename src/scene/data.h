@@ -34,6 +34,7 @@ typedef struct tr_scene_law {
 typedef struct tr_scene_contact {
     tr_scene_law normal, friction, rolling;
     int rolling_velocity; /* index into the catalog's rolling_velocities */
+    int arms;             /* index into the catalog's arms; kind: contact has no overlap in its kinematics */
 } tr_scene_contact;
 
 typedef enum tr_boundary { TR_WALLS, TR_PERIODIC } tr_boundary; /* in the order of the choices of `boundary:` */

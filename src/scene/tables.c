@@ -102,6 +102,9 @@ static const tr_param contact[] = {
      "law of the rolling resistance"},
     {"rolling_velocity", TR_CHOICE, TR_DIM_NUMBER, "", "wang", 0, 0, NULL, AT(rolling_velocity),
      "definition of the rolling velocity"},
+    {"arms", TR_CHOICE, TR_DIM_NUMBER, "", "shared", 0, 0, NULL, AT(arms),
+     "from the centres to the contact point, for sliding and torque: shared R_i |X21|/(R1+R2), or midpoint R_i - "
+     "overlap/2; at a wall R, or R - overlap"},
 };
 #undef STRUCT
 
@@ -454,5 +457,5 @@ bool tr_tables_choice(const tr_param_catalog *catalog, const tr_param *param, in
         if (i < slot.n) *name = tr_text_show(slot.laws[i]->name);
         return i < slot.n;
     }
-    return choice_of(catalog->rolling_velocities, i, name);
+    return choice_of(strcmp(param->key, "arms") ? catalog->rolling_velocities : catalog->arms, i, name);
 }

@@ -79,8 +79,8 @@ static void test_sand(void **state) {
 /* Without friction a packing has hardly any strength; with it several times more. */
 static void test_friction_makes_strength(void **state) {
     (void)state;
-    outcome smooth = test_of(1, (test_laws){160e6, 0.3, 0, 0, 0, 0, NULL}, 2e-3);
-    outcome rough = test_of(1, (test_laws){160e6, 0.3, 0.5, 80e6, 0, 0, NULL}, 2e-3);
+    outcome smooth = test_of(1, (test_laws){160e6, 0.3, 0, 0, 0, 0, NULL, NULL}, 2e-3);
+    outcome rough = test_of(1, (test_laws){160e6, 0.3, 0.5, 80e6, 0, 0, NULL, NULL}, 2e-3);
     outcome rolling = test_of(1, sand, 2e-3);
     print_message("residual sin phi: frictionless %.3f, friction %.3f, and rolling resistance %.3f\n",
                   smooth.sin_phi_residual, rough.sin_phi_residual, rolling.sin_phi_residual);

@@ -35,7 +35,7 @@ static pair_state strike(bool cell, double x0, double y0, int n_steps, int64_t *
     set_velocity(&w, 0, 6.0, 7.3, 5), set_velocity(&w, 1, 5.97, 7.28, -2);
     set_gravity(&w, 0, 0); /* then pressed together */
     for (int k = 0; k < 2; k++) w.disks.load[4 * k] = k ? -16 : 16, w.disks.load[4 * k + 1] = k ? -12 : 12;
-    set_laws(&w, (test_laws){1e6, 0.05, 0.3, 0.5e6, 0.2, 0.5e6, "wang"}, 0);
+    set_laws(&w, (test_laws){1e6, 0.05, 0.3, 0.5e6, 0.2, 0.5e6, "wang", NULL}, 0);
     w.dt = 0.1 * tr_timestep_worst(&w);
     double before = 0;
     for (int k = 0; k < n_steps; k++) {

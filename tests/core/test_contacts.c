@@ -172,7 +172,7 @@ static void test_what_stretches_is_seen(void **state) {
  * and a pair that has just met starts at zero. All motions are prescribed. */
 static void test_histories_follow_their_pair(void **state) {
     (void)state;
-    const test_laws laws = {1e3, 0, 1e6, 2e3, 1e6, 3e3, "bagi-kuhn"};
+    const test_laws laws = {1e3, 0, 1e6, 2e3, 1e6, 3e3, "bagi-kuhn", NULL};
     tr_world w;
     new_world(&w, 8);
     for (int i = 0; i < 8; i++) tr_world_set_disk(&w, i, 2 + 0.1 * i, 1, 0, i == 2 ? 0.02 : 0.01, 1000, true);
@@ -239,7 +239,7 @@ static void test_histories_survive_growth(void **state) {
         tr_world_set_disk(&w, i, 0.03 * i, i % 5 == 4 ? 0.0099 : 1, 0, 0.01, 1000, true),
             set_velocity(&w, i, 0.2, 0, 0);
     w.wall[0] = (tr_wall){.ny = 1}, w.n_walls = 1;
-    set_laws(&w, (test_laws){1e3, 0, 1e6, 2e3, 1e6, 3e3, "bagi-kuhn"}, 0);
+    set_laws(&w, (test_laws){1e3, 0, 1e6, 2e3, 1e6, 3e3, "bagi-kuhn", NULL}, 0);
     w.dt = 1e-4, w.allow_unstable = true;
     steps(&w, 11); /* the first moves no history */
     for (int i = 0; i < ALL; i++) w.disks.pos[4 * i + 1] = 0.0099;
@@ -268,7 +268,7 @@ static void test_a_failed_renewal_leaves_the_lists(void **state) {
     double *pos = w.disks.pos;
     pos[8] = pos[4] + 0.0229, pos[12] = pos[8] + 0.0249; /* 1-2, 2-3 */
     w.wall[0] = (tr_wall){.y = -1, .ny = 1}, w.n_walls = 1;
-    set_laws(&w, (test_laws){1e3, 0, 1e6, 2e3, 1e6, 3e3, "bagi-kuhn"}, 0);
+    set_laws(&w, (test_laws){1e3, 0, 1e6, 2e3, 1e6, 3e3, "bagi-kuhn", NULL}, 0);
     w.dt = 1e-4, w.allow_unstable = true;
     set_velocity(&w, 3, 0, 0, 1);
     steps(&w, 3);
@@ -332,7 +332,7 @@ static void test_finders_give_the_same_bits(void **state) {
 static void test_two_worlds_side_by_side(void **state) {
     (void)state;
     tr_scene one = small_scene(5), two = small_scene(6);
-    two.contact = contact_of((test_laws){80e6, 0.1, 0.3, 40e6, 0, 0, NULL});
+    two.contact = contact_of((test_laws){80e6, 0.1, 0.3, 40e6, 0, 0, NULL, NULL});
     tr_biaxial alone, b, c;
     sheared(&alone, &one);
     shear_steps(&alone, STEPS);

@@ -131,7 +131,7 @@ static void test_balance_of_free_disks(void **state) {
     double error[3], h[3];
     for (int i = 0; i < 3; i++) {
         tr_world w;
-        new_cluster(&w, 36, (test_laws){1e6, 0.2, 0.5, 0.5e6, 0.3, 0.5e6, "wang"});
+        new_cluster(&w, 36, (test_laws){1e6, 0.2, 0.5, 0.5e6, 0.3, 0.5e6, "wang", NULL});
         w.dt /= 1 << i, h[i] = w.dt;
         forces(&w), tr_ledger_begin(&w);
         tr_energy before = tr_ledger_read(&w), e = before;

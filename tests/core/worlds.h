@@ -10,13 +10,15 @@
 #include "core/pipeline.h"
 #include "core/step.h"
 #include "core/timestep.h"
+#include "laws/kinematics.h"
 #include <stdlib.h>
 #include <string.h>
 
-/* mu == 0: no friction law; mu_r == 0: no rolling law; rolling_velocity NULL: wang. */
+/* mu == 0: no friction law; mu_r == 0: no rolling law; rolling_velocity NULL: wang; arms NULL: shared. */
 typedef struct test_laws {
     double k_n, damping_ratio, mu, k_t, mu_r, k_r;
     const char *rolling_velocity;
+    const char *arms;
 } test_laws;
 
 static inline void set_parameter(tr_scene_law *law, const tr_param_table *table, const char *key, double value) {
@@ -56,6 +58,8 @@ static inline tr_scene_contact contact_of(test_laws p) {
     for (int i = 0; i < tr_n_rolling_velocities; i++)
         if (!strcmp(tr_rolling_velocities[i].name, wanted)) c.rolling_velocity = i;
     if (c.rolling_velocity < 0) fail_msg("no rolling velocity is called %s", wanted);
+    for (c.arms = 0; p.arms && strcmp(tr_arms_rows[c.arms].name, p.arms);) c.arms++;
+    assert_true(c.arms < tr_n_arms);
     return c;
 }
 
@@ -134,7 +138,7 @@ static inline tr_scene biaxial_scene(int disks, uint64_t seed, test_laws p) {
 }
 
 /* The laws of cases/biaxial.yaml. */
-static const test_laws sand = {160e6, 0.3, 0.5, 80e6, 0.5, 80e6, "wang"};
+static const test_laws sand = {160e6, 0.3, 0.5, 80e6, 0.5, 80e6, "wang", NULL};
 
 static inline void compact(tr_biaxial *b, const tr_scene *scene) {
     tr_status st = {0};

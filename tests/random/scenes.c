@@ -117,6 +117,9 @@ static void laws(maker *m) {
     law(m, "rolling", c->rolling, c->n_rolling);
     choice(m, c->rolling_velocities, NULL, name);
     fprintf(m->out, ", rolling_velocity: %s", name);
+    if (m->kind == TR_KIND_CONTACT) return; /* without overlap in its kinematics */
+    choice(m, c->arms, NULL, name);
+    fprintf(m->out, ", arms: %s", name);
 }
 
 /* ---- a few bodies ---- */

@@ -62,8 +62,16 @@ static const tr_param_table *const fake_normal[] = {&fake_tables[0], &fake_table
 static const tr_param_table *const fake_friction[] = {&fake_tables[2], &fake_tables[3]};
 static const tr_param_table *const fake_rolling_laws[] = {&fake_tables[3], &fake_tables[4]};
 static const tr_param_renamed fake_renamed[] = {{"rolling", "old-spring", "`rolling: wang-spring`"}};
-static const tr_param_catalog fake_catalog = {
-    fake_normal, fake_friction, fake_rolling_laws, 4, 2, 2, "wang|bagi-kuhn|alonso-min|alonso-mean", fake_renamed, 1};
+static const tr_param_catalog fake_catalog = {fake_normal,
+                                              fake_friction,
+                                              fake_rolling_laws,
+                                              4,
+                                              2,
+                                              2,
+                                              "wang|bagi-kuhn|alonso-min|alonso-mean",
+                                              "shared|midpoint",
+                                              fake_renamed,
+                                              1};
 
 static const char biaxial_case[] = "# the biaxial test\n"
                                    "kind: biaxial\n"

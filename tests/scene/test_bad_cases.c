@@ -211,7 +211,7 @@ static const bad_case rows[] = {
      "kPa}\n",
      0, NULL,
      "a.yaml:3:23: error: unknown key `contact.k_m` (did you mean `k_n`?); allowed here: normal, friction, rolling, "
-     "rolling_velocity, k_n, damping_ratio, mu, k_t, mu_r, k_r, layers, wet, model, E_star, depth, step\ncontact: "
+     "rolling_velocity, arms, k_n, damping_ratio, mu, k_t, mu_r, k_r, layers, wet, model, E_star, depth, step\ncontact: "
      "{k_n: 1 MPa, k_m: 3}\n    "
      "                  ^"},
     {"kind: biaxial\nsample: {r_min: 1 mm, r_max: 2 mm}\ncompaction: {pressure: 1 kPa}\n", 0, NULL,
