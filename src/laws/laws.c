@@ -23,6 +23,7 @@
 #define ROLLING_LAWS(X)                                                                                                \
     X(rolling_wang_spring)                                                                                             \
     X(rolling_conjugate_spring)                                                                                        \
+    X(rolling_passive_spring)                                                                                          \
     X(rolling_star_force_proportional)                                                                                 \
     X(rolling_star_constant_torque)                                                                                    \
     X(rolling_star_displacement_damping)                                                                               \

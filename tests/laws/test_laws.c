@@ -103,12 +103,20 @@ static bool is_spring(const tr_law *law) {
     return law->step && (tr_law_claims(law) & claims) == claims && (rolls || slides);
 }
 
+/* For the rolling law both rims run at v_r, so it is the rolling velocity by every definition. For friction they stand
+ * still: no creep. */
+static void rims(bool run) {
+    for (int i = 0; i < TR_TILE; i++) B.tile.s1[i] = B.tile.s2[i] = run ? B.tile.v_r[i] : 0;
+}
+
 static void run_laws(double dt) {
     B.tile.dt = dt;
     for (int s = 0; s < 3; s++) {
         tr_law_data d = data_of(s);
+        if (s == 2) rims(true);
         if (B.law[s]->step) B.law[s]->step(&B.tile, &d);
     }
+    rims(false);
 }
 
 /* Overlaps that come, go and fall faster than the dashpot likes; velocities of any sign. */
