@@ -30,7 +30,7 @@ COMMIT := $(shell git --git-dir=.git describe --always --dirty --abbrev=12 --exc
 LIB_SRC  := $(filter-out src/cli/%,$(wildcard src/*/*.c)) $(wildcard src/*/*.cpp)
 CLI_SRC  := $(wildcard src/cli/*.c)
 TEST_SRC := $(wildcard tests/*/test_*.c)
-LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o)
+LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o) $(BUILD)/src/base/math.o
 CLI_OBJ  := $(CLI_SRC:%=$(BUILD)/%.o)
 TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 
@@ -233,6 +233,13 @@ trundle: $(BUILD)/trundle
 	@cp $< $@
 $(BUILD)/trundle: $(CLI_OBJ) $(BUILD)/libtrundle.a
 	$(call step,LINK) $(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
+# The functions of src/base/math.h out of musl, and what they need, in one object that shows nothing else.
+MUSL := $(firstword $(wildcard /usr/lib/$(shell uname -m)-linux-musl*/libc.a))
+MATH := $(shell sed -n '/^double tr_/ { s///; s/[^a-z0-9].*//; p; }' src/base/math.h)
+$(BUILD)/src/base/math.o: src/base/math.h $(MUSL)
+	@mkdir -p $(@D)
+	$(call step,LD) $(LD) -r --gc-sections $(MATH:%=-u %) -o $@ $(MUSL) && \
+	    objcopy $(foreach f,$(MATH),--redefine-sym $f=tr_$f) $@ && objcopy --wildcard --keep-global-symbol='tr_*' $@
 $(BUILD)/libtrundle.a: $(LIB_OBJ)
 	@rm -f $@
 	$(call step,AR) ar rcs $@ $^

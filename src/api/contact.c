@@ -3,6 +3,7 @@
  * histories and the bits of an assembly. Its list is made once, while the bodies touch, and is never renewed: there is
  * one pair. */
 #include "api/api.h"
+#include "base/math.h"
 #include "base/alloc.h"
 #include "core/step.h"
 #include "core/pipeline.h"
@@ -25,7 +26,7 @@ static bool check(const trundle_pair *p, tr_status *st) {
     bool plane = p->R1 == 0, sound = p->R2 > 0 && isfinite(p->R2) && p->R1 >= 0 && isfinite(p->R1) && p->density2 > 0 &&
                                      isfinite(p->density2) && (plane || (p->density1 > 0 && isfinite(p->density1)));
     if (!sound) return tr_status_fail(st, TR_BAD_CASE, "error: radii and densities must be positive (R1 = 0: a plane)");
-    return !plane || fabs(hypot(p->nx, p->ny) - 1) < 1e-9 ||
+    return !plane || fabs(tr_hypot(p->nx, p->ny) - 1) < 1e-9 ||
            tr_status_fail(st, TR_BAD_CASE, "error: the normal of the plane must have the length 1");
 }
 

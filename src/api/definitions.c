@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "api/api.h"
+#include "base/math.h"
 #include "laws/kinematics.h"
 #include "laws/law.h"
 
@@ -23,7 +24,7 @@ double trundle_definition_value(trundle_velocity kind, int i, double R1, double 
                                 const trundle_body *two) {
     const tr_velocity_measure *m = row(kind, i);
     const double dx = two->x - one->x, dy = two->y - one->y, g1 = R1 / (R1 + R2);
-    if (!m || !(hypot(dx, dy) > 0) || !(R1 > 0) || !(R2 > 0)) return NAN;
+    if (!m || !(tr_hypot(dx, dy) > 0) || !(R1 > 0) || !(R2 > 0)) return NAN;
     tr_tile tile = {.n = 1, .R1 = &R1, .R2 = &R2, .g1 = &g1};
     tile.dx[0] = dx, tile.dy[0] = dy;
     tile.dvx[0] = two->vx - one->vx, tile.dvy[0] = two->vy - one->vy;

@@ -7,14 +7,15 @@
  * It grows with theta, so the quantile is found by bisection. All terms are positive: nothing cancels. The number of seeds is a
  * small one, so n terms cost nothing. */
 #include "base/student.h"
+#include "base/math.h"
 
 #include <math.h>
 
 /* P(|T| < sqrt(n) tan theta) */
 static double within(double theta, int n) {
-    double c = cos(theta), term = n % 2 ? c : 1, sum = n == 1 ? 0 : term;
+    double c = tr_cos(theta), term = n % 2 ? c : 1, sum = n == 1 ? 0 : term;
     for (int k = n % 2 ? 3 : 2; k <= n - 2; k += 2) sum += term *= c * c * (k - 1) / k;
-    return n % 2 ? 2 / M_PI * (theta + sin(theta) * sum) : sin(theta) * sum;
+    return n % 2 ? 2 / M_PI * (theta + tr_sin(theta) * sum) : tr_sin(theta) * sum;
 }
 
 double tr_student_95(int freedom) {
@@ -23,7 +24,7 @@ double tr_student_95(int freedom) {
         double middle = 0.5 * (low + high);
         *(within(middle, freedom) < 0.95 ? &low : &high) = middle;
     }
-    return sqrt(freedom) * tan(low);
+    return sqrt(freedom) * tr_tan(low);
 }
 
 tr_mean tr_mean_of(const double *x, int n) {

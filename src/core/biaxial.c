@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "core/biaxial.h"
+#include "base/math.h"
 
 #include "base/vector.h"
 #include "core/cell.h"
@@ -365,5 +366,5 @@ tr_biaxial_state tr_biaxial_read(tr_biaxial *b) {
 }
 
 double tr_biaxial_tan_phi(double sin_phi) {
-    return fabs(sin_phi) < 1 ? tan(asin(sin_phi)) : NAN;
+    return fabs(sin_phi) < 1 ? tr_tan(tr_asin(sin_phi)) : NAN;
 }

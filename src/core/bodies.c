@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "core/bodies.h"
+#include "base/math.h"
 
 #include "base/alloc.h"
 #include "core/pipeline.h"
@@ -16,7 +17,7 @@ static void aim(tr_bodies *b, double time) {
     for (int i = 0; i < all->n; i++) {
         const tr_scene_disk *d = &b->scene->disks[i];
         if (d->motion != TR_ORBIT) continue;
-        const double *pos = all->pos + 4 * (size_t)i, c = cos(d->orbit * time), s = sin(d->orbit * time);
+        const double *pos = all->pos + 4 * (size_t)i, c = tr_cos(d->orbit * time), s = tr_sin(d->orbit * time);
         double *vel = all->vel + 4 * (size_t)i, x = d->x - d->orbit_x, y = d->y - d->orbit_y;
         vel[0] = (d->orbit_x + c * x - s * y - pos[0]) / b->world.dt;
         vel[1] = (d->orbit_y + s * x + c * y - pos[1]) / b->world.dt;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "core/checkpoint.h"
+#include "base/math.h"
 
 #include "core/list.h"
 #include "core/shares_memory.h"
@@ -35,7 +36,7 @@ static void keep_box(tr_world *world, tr_checkpoint *c) {
     TR_KEEP(c, &world->cell, 1);
     for (int k = 0; k < world->n_walls; k++, w++) {
         double sum = w->x + w->y + w->vx + w->vy + w->gain + w->load + w->fx + w->fy + w->length;
-        ok = ok && sum - sum == 0 && fabs(hypot(w->nx, w->ny) - 1) < 1e-9 && w->mass >= 0 && w->v_max >= 0;
+        ok = ok && sum - sum == 0 && fabs(tr_hypot(w->nx, w->ny) - 1) < 1e-9 && w->mass >= 0 && w->v_max >= 0;
     }
     for (int k = 0; k < 2; k++) {
         double sum = cell->side[k] + cell->rate[k] + cell->gain[k] + cell->load[k] + cell->virial[k];

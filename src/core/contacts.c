@@ -4,6 +4,7 @@
  * has moved too far for the thin skin (tr_step_advance watches that). How far, less what the whole sample is stretched: stretch.h.
  * In a sheared sample 40 % of the pairs of a wide list do not touch: the thin one is what makes the contact loop short. */
 #include "core/contacts.h"
+#include "base/math.h"
 
 #include "base/alloc.h"
 #include "core/cell.h"
@@ -203,7 +204,7 @@ static bool check_leap(const tr_world *world, tr_status *st) {
         char which[32], what[160];
         snprintf(which, sizeof which, "disk %d", i);
         snprintf(what, sizeof what, "it moves %.3g m in one step, more than 0.3 of its radius; give a smaller step.dt",
-                 hypot(v[0], v[1]) * world->dt);
+                 tr_hypot(v[0], v[1]) * world->dt);
         return fail_at(world, st, what, which);
     }
     return true;

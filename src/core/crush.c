@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "core/crush.h"
+#include "base/math.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -17,7 +18,7 @@ tr_crush_limit tr_crush_find(const tr_slot *normal, tr_shape shape, double R1, d
         for (; *value < 1e16; *value *= 1.1) {
             tr_elastic e = trial.law->elastic(trial.par, R1, R2, depth);
             if (e.force < force || e.energy < energy) continue;
-            double digit = pow(10, floor(log10(*value)) - 1); /* two digits, up */
+            double digit = tr_pow(10, floor(tr_log10(*value)) - 1); /* two digits, up */
             limit.holds = digit * ceil(*value / digit - 1e-9);
             return limit;
         }

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "core/fit.h"
+#include "base/math.h"
 
 #include "core/resolution.h"
 #include <math.h>
 
 /* |log| of what is given over what would fit: half as stiff is as far off as twice as stiff. Infinite where nothing fits. */
 static double misfit(const tr_fit *fit) {
-    return fabs(log(fit->k / fit->fits));
+    return fabs(tr_log(fit->k / fit->fits));
 }
 
 /* What the laws have of one contact; of E_star and depth else what is given. */
@@ -37,7 +38,7 @@ bool tr_fit_contact(const tr_scene_contact *laws, double R1, double R2, double E
     if (!given(laws, E_star, d, &c) || !(P > 0)) return false;
     *fit = (tr_fit){.key = c.key, .k = c.k, .P = P, .d = tr_law_depth(c.depth, R1, R2)};
     fit->a = tr_law_width(TR_SHAPE_DISK, P, tr_law_R_star(R1, R2), c.E_star);
-    double Lambda = log(2 * fit->d / fit->a);
+    double Lambda = tr_log(2 * fit->d / fit->a);
     fit->fits = Lambda > 0 ? M_PI * c.E_star / (2 * Lambda) : 0;
     return !(fabs(fit->k / fit->fits - 1) <= TR_FIT);
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "core/increments.h"
+#include "base/math.h"
 
 #include "base/alloc.h"
 #include <math.h>
@@ -11,7 +12,7 @@ static const double TURN = 0.1, PER_DECADE = 20; /* [a]; bins */
 
 static void end_run(struct tr_increments_sums *s, double run) {
     if (run < TURN) return;
-    int bin = (int)(PER_DECADE * log10(run / TURN));
+    int bin = (int)(PER_DECADE * tr_log10(run / TURN));
     bin = bin < TR_RUN_BINS ? bin : TR_RUN_BINS - 1;
     s->runs[bin]++, s->rolled[bin] += run;
 }
@@ -112,7 +113,7 @@ static double middle(const double *bin) {
     if (!(sum > 0)) return 0;
     int k = 0;
     while (below + bin[k] < 0.5 * sum) below += bin[k++];
-    return TURN * pow(10, (k + (0.5 * sum - below) / bin[k]) / PER_DECADE);
+    return TURN * tr_pow(10, (k + (0.5 * sum - below) / bin[k]) / PER_DECADE);
 }
 
 bool tr_increments_read(tr_increments *increments, tr_increments_state *state, tr_status *st) {
@@ -129,7 +130,7 @@ bool tr_increments_read(tr_increments *increments, tr_increments_state *state, t
     for (int i = 0; i < g->n; i++) touched += h[TOUCHED][i];
     for (int k = 0; k < TR_RUN_BINS; k++) {
         rolled += s->rolled[k];
-        if (k >= (int)(PER_DECADE * log10(2 / TURN))) far += s->rolled[k];
+        if (k >= (int)(PER_DECADE * tr_log10(2 / TURN))) far += s->rolled[k];
     }
     if (s->touching > 0) state->followed = touched * s->steps / s->touching, state->width = s->widths / s->touching;
     if (s->normal + s->tangential != 0) state->tangential = s->tangential / (s->normal + s->tangential);

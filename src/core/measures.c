@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "core/measures.h"
+#include "base/math.h"
 
 #include <math.h>
 
@@ -12,7 +13,7 @@ tr_measures tr_measures_of(const tr_world *world, const tr_record *records, int 
         bool disks = c->a >= 0;
         pairs += disks;
         ends += disks ? 2 : 1;
-        forces += hypot(c->f_n, c->f_t);
+        forces += tr_hypot(c->f_n, c->f_t);
         m.mean_f_n += c->f_n / n;
         m.largest_overlap = fmax(m.largest_overlap, c->delta / (disks ? fmin(c->R1, c->R2) : c->R2));
         if (!disks) continue;
@@ -23,7 +24,7 @@ tr_measures tr_measures_of(const tr_world *world, const tr_record *records, int 
         moved += fabs(c->v_r) + fabs(c->v_s);
     }
     int disks = world->disks.n;
-    for (int i = 0; i < disks; i++) net += hypot(world->disks.force[4 * i], world->disks.force[4 * i + 1]);
+    for (int i = 0; i < disks; i++) net += tr_hypot(world->disks.force[4 * i], world->disks.force[4 * i + 1]);
     m.coordination = ends / disks;
     if (pairs) {
         m.sliding_fraction = (double)sliding / pairs;

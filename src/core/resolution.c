@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "core/resolution.h"
+#include "base/math.h"
 
 #include "core/timestep.h"
 #include <math.h>
@@ -27,7 +28,7 @@ static run run_of(const tr_bodies *b, bool start) {
     run r = {.b = b, .T = start ? 0 : (double)b->steps * w->dt};
     double *g = r.fall;
     tr_bodies_gravity(b, g);
-    r.gravity = hypot(g[0], g[1]);
+    r.gravity = tr_hypot(g[0], g[1]);
     for (int i = 0; i < w->disks.n; i++)
         if (!is_free(w, i)) g[0] = g[1] = 0;
     for (int k = 0; k < w->n_walls; k++) {
@@ -47,7 +48,7 @@ static void disk_reach(const run *r, int i, double reach[2]) {
     tr_bodies_velocity(w, i, v);
     for (int k = 0; k < 2; k++) {
         reach[k] = fabs(at[k]) + fabs(v[k]) * T + (is_free(w, i) ? 0.5 * fabs(r->fall[k]) * T * T : 0);
-        if (d->motion == TR_ORBIT) reach[k] = fabs(centre[k]) + hypot(at[0] - centre[0], at[1] - centre[1]);
+        if (d->motion == TR_ORBIT) reach[k] = fabs(centre[k]) + tr_hypot(at[0] - centre[0], at[1] - centre[1]);
     }
     for (int k = 0; k < w->n_walls && v[2] != 0 && is_free(w, i); k++) {
         reach[0] += fabs(w->wall[k].ny * v[2]) * d->radius * T;
@@ -87,13 +88,13 @@ static pair wall_pair(const run *r, int wall, int i) {
 static pair pair_of(const run *r, int a, int i) {
     if (a < 0) return wall_pair(r, -1 - a, i);
     const double *c = r->b->world.disks.pos + 4 * (size_t)a, *q = r->b->world.disks.pos + 4 * (size_t)i;
-    pair p = {.a = a, .b = i, .R1 = c[3], .R2 = q[3], .gap = hypot(q[0] - c[0], q[1] - c[1]) - c[3] - q[3]};
+    pair p = {.a = a, .b = i, .R1 = c[3], .R2 = q[3], .gap = tr_hypot(q[0] - c[0], q[1] - c[1]) - c[3] - q[3]};
     double v1[3], v2[3], one[2], two[2];
     tr_bodies_velocity(&r->b->world, a, v1);
     tr_bodies_velocity(&r->b->world, i, v2);
     disk_reach(r, a, one);
     disk_reach(r, i, two);
-    p.velocity = hypot(v2[0] - v1[0], v2[1] - v1[1]);
+    p.velocity = tr_hypot(v2[0] - v1[0], v2[1] - v1[1]);
     p.reach = fmax(fmax(one[0], one[1]), fmax(two[0], two[1]));
     return p;
 }
@@ -121,16 +122,16 @@ static bool gets_to(const tr_bodies *b, const pair *p, double overlap, double we
 
 /* The largest overlap that it gets to, by halves of its logarithm. */
 static double expected(const tr_bodies *b, const pair *p, double weight, double energy) {
-    double low = log(1e-30 * smaller(p)), high = log(TR_LARGEST_OVERLAP * smaller(p));
-    if (gets_to(b, p, exp(high), weight, energy)) return exp(high);
+    double low = tr_log(1e-30 * smaller(p)), high = tr_log(TR_LARGEST_OVERLAP * smaller(p));
+    if (gets_to(b, p, tr_exp(high), weight, energy)) return tr_exp(high);
     for (int k = 0; k < 60; k++) {
         double middle = 0.5 * (low + high);
-        if (gets_to(b, p, exp(middle), weight, energy))
+        if (gets_to(b, p, tr_exp(middle), weight, energy))
             low = middle;
         else
             high = middle;
     }
-    return exp(low);
+    return tr_exp(low);
 }
 
 bool tr_resolution_overlap(const tr_bodies *b, tr_resolution *worst) {
@@ -152,7 +153,7 @@ bool tr_resolution_overlap(const tr_bodies *b, tr_resolution *worst) {
 /* x + v dt, rounded, is off by half a spacing at most. */
 static void look_at_way(const tr_bodies *b, int body, const double reach[2], const double v[2], int *n,
                         tr_resolution *worst) {
-    double far = fmax(reach[0], reach[1]), way = hypot(v[0], v[1]) * b->world.dt;
+    double far = fmax(reach[0], reach[1]), way = tr_hypot(v[0], v[1]) * b->world.dt;
     if (way == 0 || 0.5 * spacing(far) <= TR_RESOLVED * way) return;
     tr_resolution r = {body, body, far, spacing(far), way, 0};
     if ((*n)++ == 0 || r.spacing / r.size > worst->spacing / worst->size) *worst = r;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "core/tangent.h"
+#include "base/math.h"
 
 #include <math.h>
 
@@ -56,7 +57,7 @@ static double weight_on(const tr_bodies *b, const pair *p) {
     tr_bodies_gravity(b, g);
     double along = g[0] * p->nx + g[1] * p->ny; /* below 0: down is from 2 to 1 */
     int upper = along < 0 ? p->b : p->a, lower = along < 0 ? p->a : p->b;
-    if (fabs(along) <= SMALL * hypot(g[0], g[1]) || !is_free(w, upper) ||
+    if (fabs(along) <= SMALL * tr_hypot(g[0], g[1]) || !is_free(w, upper) ||
         (is_free(w, lower) && !is_carried(w, lower, g)))
         return 0;
     return fabs(along) / w->disks.inv[4 * (size_t)upper];

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "core/timestep.h"
+#include "base/math.h"
 
 #include "core/cell.h"
 #include <math.h>
@@ -126,7 +127,7 @@ tr_timestep_limit tr_timestep_contacts(const tr_world *world) {
  * between them is 2r - q r or more, so that sin^2 of half the angle between them is ((2-q)^2 - q^2) r^2/(4 (R+r)^2) or more. */
 static double most_contacts(const tr_world *world, int i, double r_min, double q) {
     double R = world->disks.pos[4 * (size_t)i + 3];
-    double fit = floor(M_PI / asin(sqrt(1 - q) * r_min / (R + r_min)) + 1e-9);
+    double fit = floor(M_PI / tr_asin(sqrt(1 - q) * r_min / (R + r_min)) + 1e-9);
     if (q > 0 && !world->boxed) fit += world->n_walls; /* which may be in one place */
     return fmin(fit, world->disks.n - 1 + world->n_walls);
 }
@@ -203,9 +204,9 @@ double tr_timestep_worst(const tr_world *world) {
 /* One density, and all free: of such the smallest and the largest stand for all partners, as in tr_timestep_worst of many. */
 static bool are_alike(const tr_world *world) {
     const tr_disks *d = &world->disks;
-    double first = d->mass[0] / pow(d->pos[3], world->shape == TR_SHAPE_SPHERE ? 3 : 2);
+    double first = d->mass[0] / tr_pow(d->pos[3], world->shape == TR_SHAPE_SPHERE ? 3 : 2);
     for (int i = 0; i < d->n; i++) {
-        double density = d->mass[i] / pow(d->pos[4 * i + 3], world->shape == TR_SHAPE_SPHERE ? 3 : 2);
+        double density = d->mass[i] / tr_pow(d->pos[4 * i + 3], world->shape == TR_SHAPE_SPHERE ? 3 : 2);
         double whole = tr_law_inertia(world->shape) * d->mass[i] * d->pos[4 * i + 3] * d->pos[4 * i + 3];
         if (d->inv[4 * i] == 0 || d->inv[4 * i + 2] == 0 || fabs(density / first - 1) > 1e-9 ||
             fabs(d->inertia[i] / whole - 1) > 1e-9)

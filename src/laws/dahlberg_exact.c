@@ -24,6 +24,7 @@
  * step begins at Q = 0 with the other sign. Without sliding q only decays. Without rolling Q is the capped spring.
  */
 #include "laws/dahlberg_exact.h"
+#include "base/math.h"
 
 #include <float.h>
 #include <math.h>
@@ -36,7 +37,7 @@ typedef struct stage {
 } stage;
 
 static double s1(double B, double s) {
-    return -expm1(-B * s) / B;
+    return -tr_expm1(-B * s) / B;
 }
 
 /* By its series where the closed form would cancel: 1 - y/3 (1 - y/4 (1 - ...)), to 1e-17 at y = 1. */
@@ -48,11 +49,11 @@ static double s2(double B, double s) {
 }
 
 static double w_at(const stage *g, double s) {
-    return g->w * exp(-g->B * s) + g->A * s1(g->B, s);
+    return g->w * tr_exp(-g->B * s) + g->A * s1(g->B, s);
 }
 
 static double z_at(const stage *g, double s) {
-    return g->z * exp(-g->B * s) + (g->B - g->A) * s1(g->B, s);
+    return g->z * tr_exp(-g->B * s) + (g->B - g->A) * s1(g->B, s);
 }
 
 static double time_at(const stage *g, double s) {
@@ -79,8 +80,8 @@ double tr_dahlberg_exact(double Q, double M, double A, double C) {
     /* On the way to full slip q gains at least |A| - B. Hence |A| < B + 2 below. */
     if (fabs(A) - B >= 1 - (A < 0 ? -q : q)) return A < 0 ? -sign * M : sign * M;
     double z = sqrt(1 - q), w = q / (1 + z), end = INFINITY;
-    if (A > B) end = log1p(B * z / (A - B)) / B; /* w = 1; for A = B there s and Newton's method go to infinity */
-    if (A < 0) end = log1p(B * w / -A) / B;      /* w = 0 */
+    if (A > B) end = tr_log1p(B * z / (A - B)) / B; /* w = 1; for A = B there s and Newton's method go to infinity */
+    if (A < 0) end = tr_log1p(B * w / -A) / B;      /* w = 0 */
     stage g = {w, z, A, B};
     double used = time_at(&g, end); /* inf or NaN where there is no end */
     if (used <= 1 && A > 0) return sign * M;

@@ -26,6 +26,7 @@
  * du_roll = 0: cattaneo-mindlin, bit for bit. P -> 0: a = 0, Q = 0. Wall: R = R2, material rolls with (Vt - R2 w)/2.
  */
 #include "laws/creep.h"
+#include "base/math.h"
 
 #include <stdbool.h>
 
@@ -89,11 +90,11 @@ static double displacement(tr_bed *bed, const tr_tile *tile, const tr_law_data *
     double most_before = p->bed.mu * P_before;
     double creep_before = greatest_creep(p, data->shape, bed->R1, bed->R2, P_before) * roll;
     if (!(creep_before > 0 && most_before > 0)) return slide;
-    double q = fabs(before) / most_before, y = sphere ? cbrt(1 - q) : sqrt(1 - q), y2 = sphere ? y * y : y;
+    double q = fabs(before) / most_before, y = sphere ? tr_cbrt(1 - q) : sqrt(1 - q), y2 = sphere ? y * y : y;
     double w = q / (1 + y + (sphere ? y2 : 0)); /* 1 - y, all digits */
     double k = data->normal->elastic(data->normal_par, bed->R1, bed->R2, tile->delta[i]).stiffness / bed->kappa;
     double z = k / most_before * (creep_before / (power * y2));
-    double theta = z > 1e-3 ? -1 / expm1(-z) - 1 / z : 0.5 + z / 12; /* the next term is z^3/720 */
+    double theta = z > 1e-3 ? -1 / tr_expm1(-z) - 1 / z : 0.5 + z / 12; /* the next term is z^3/720 */
     t.x0 = slide - copysign((1 - theta) * creep_before * w, before);
     double first = pushed(&t, t.x0);
     if (first * before < 0) { /* J rises with x: only then creep may turn it over */
@@ -114,7 +115,7 @@ static void creep(const tr_tile *tile, const tr_law_data *data, double *u) {
     double power = data->shape == TR_SHAPE_SPHERE ? 3 : 2;
     for (int i = 0; i < tile->n; i++) {
         double P = tile->f_elastic[i], q = P > 0 ? fmin(1, fabs(tile->f_t[i]) / (p->bed.mu * P)) : 0;
-        double F = -expm1(log1p(-q) / power) * greatest_creep(p, data->shape, tile->R1[i], tile->R2[i], P);
+        double F = -tr_expm1(tr_log1p(-q) / power) * greatest_creep(p, data->shape, tile->R1[i], tile->R2[i], P);
         u[i] = copysign(F * tr_creep_roll(p, tile, i), tile->f_t[i]);
     }
 }

@@ -20,6 +20,7 @@
  * du_roll = 0: cattaneo-mindlin, bit for bit. P -> 0: Q = 0. Wall: R = R2, material rolls with (Vt - R2 w)/2.
  */
 #include "laws/creep.h"
+#include "base/math.h"
 
 static const tr_param params[] = {TR_CREEP_PARAMS(tr_creep_par)};
 
@@ -27,7 +28,7 @@ static double displacement(tr_bed *bed, const tr_tile *tile, const tr_law_data *
     const tr_creep_par *p = data->par;
     double slide = tile->v_s[i] * tile->dt, roll = tr_creep_roll(p, tile, i), u = bed->n ? bed->e[0] : 0;
     double a = tr_law_width(data->shape, tile->f_elastic[i], tr_law_R_star(bed->R1, bed->R2), p->E_star);
-    double c = 2 / M_PI * roll / a, fades = -expm1(-c);
+    double c = 2 / M_PI * roll / a, fades = -tr_expm1(-c);
     return c > 0 ? slide * (fades / c) - u * fades : slide;
 }
 

@@ -20,6 +20,7 @@
 #define TR_LAW_H
 
 #include "base/param.h"
+#include "base/math.h"
 #include <math.h>
 #include <stdbool.h>
 
@@ -115,7 +116,7 @@ static inline double tr_law_m_eff(const tr_pair_bodies *b) {
 
 /* Half-width of the line contact, or radius of the circle, by Hertz [m] [Johnson1985 eqs. 4.45, 4.22]. */
 static inline double tr_law_width(tr_shape shape, double P, double R_star, double E_star) {
-    return shape == TR_SHAPE_SPHERE ? cbrt(0.75 * P * R_star / E_star) : sqrt(4 / M_PI * P * R_star / E_star);
+    return shape == TR_SHAPE_SPHERE ? tr_cbrt(0.75 * P * R_star / E_star) : sqrt(4 / M_PI * P * R_star / E_star);
 }
 /* The depth d of the approach of a line contact [m]; 0 stands for that of disks pressed between plates, 2 sqrt(R1 R2)/e,
  * 2 R2/e at a wall. */

@@ -18,6 +18,7 @@
  * delta -> 0: k goes to 0 as 1/ln delta, P to 0. delta <= 0: nothing. A contact ends, for the force, when f_n reaches 0.
  */
 #include "base/vector.h"
+#include "base/math.h"
 #include "laws/law.h"
 #include "laws/material.h"
 
@@ -51,7 +52,7 @@ static line line_of(const par *p, double R1, double R2) {
 }
 
 static double w_at_force(const line *l, double P) {
-    return 1 - log(P * l->scale / l->K);
+    return 1 - tr_log(P * l->scale / l->K);
 }
 
 static inline double energy(const line *l, double P, double w) {

@@ -11,6 +11,7 @@
  * delta <= 0: nothing. A contact ends, for the force, when f_n reaches 0 and not when delta does.
  */
 #include "base/vector.h"
+#include "base/math.h"
 #include "laws/law.h"
 #include "laws/material.h"
 
@@ -54,7 +55,7 @@ static tr_elastic elastic(const void *par_, double R1, double R2, double delta) 
 
 static double overlap(const void *par_, double R1, double R2, double force) {
     const par *p = par_;
-    double x = cbrt(0.75 * force / (p->E_star * sqrt(tr_law_R_star(R1, R2))));
+    double x = tr_cbrt(0.75 * force / (p->E_star * sqrt(tr_law_R_star(R1, R2))));
     return x * x;
 }
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "patch/cattaneo.h"
+#include "base/math.h"
 
 double tr_cattaneo_stick(const tr_patch_pair *c, double P, double q) {
     return tr_patch_a(c, P) * sqrt(1 - fabs(q));
@@ -15,7 +16,7 @@ double tr_cattaneo_tau(const tr_patch_pair *c, double P, double q, double x) {
 
 /* u over 2 mu P/(pi E_star), q >= 0; (1 - q) ln(1 - q) is 0 at q = 1 */
 static double reduced(double Lambda, double q) {
-    return q * (Lambda + 0.5) + (q < 1 ? 0.5 * (1 - q) * log1p(-q) : 0);
+    return q * (Lambda + 0.5) + (q < 1 ? 0.5 * (1 - q) * tr_log1p(-q) : 0);
 }
 
 double tr_cattaneo_u(const tr_patch_pair *c, double P, double q) {
@@ -30,7 +31,7 @@ double tr_cattaneo_q(const tr_patch_pair *c, double P, double u) {
     double q = fmin(v / Lambda, 1 - 0x1p-53), before;
     do {
         before = q;
-        q -= (reduced(Lambda, q) - v) / (Lambda - 0.5 * log1p(-q));
+        q -= (reduced(Lambda, q) - v) / (Lambda - 0.5 * tr_log1p(-q));
     } while (q < before && q > 0);
     return copysign(q, u);
 }
@@ -38,6 +39,6 @@ double tr_cattaneo_q(const tr_patch_pair *c, double P, double u) {
 double tr_cattaneo_slip(const tr_patch_pair *c, double P, double q, double x) {
     double a = tr_patch_a(c, P), k = tr_cattaneo_stick(c, P, q), r = fabs(x);
     if (r <= k || r > a) return 0;
-    double root = sqrt((r - k) * (r + k)), area = k > 0 ? r * root - k * k * log((r + root) / k) : r * r;
+    double root = sqrt((r - k) * (r + k)), area = k > 0 ? r * root - k * k * tr_log((r + root) / k) : r * r;
     return copysign(c->mu * tr_patch_p0(c, P) / (c->E_star * a) * area, q);
 }

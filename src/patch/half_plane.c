@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "patch/half_plane.h"
+#include "base/math.h"
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "patch/bounded.h"
@@ -45,7 +46,7 @@ const tr_patch_state *tr_half_plane_state(const tr_half_plane *o) {
 
 /* int -ln|v| dv */
 static double primitive(double v) {
-    return v != 0 ? v * (1 - log(fabs(v))) : 0;
+    return v != 0 ? v * (1 - tr_log(fabs(v))) : 0;
 }
 
 /* u(x) = (2h/(pi E_star)) (sum over the n + 1 edges x_e of (tau_e - tau_{e-1}) primitive((x - x_e)/h) + ln(d/h) sum tau)
@@ -69,7 +70,7 @@ TR_VECTOR static void carry(tr_half_plane *o, double a, double dr) {
         for (int i = 0; i < n; i++) u[i] += jump * column[i];
     }
     for (int i = 0; i < n; i++) sum += s->tau[i];
-    double unit = 2 * s->h / (M_PI * o->pair.E_star), constant = log(o->pair.d / s->h) * sum;
+    double unit = 2 * s->h / (M_PI * o->pair.E_star), constant = tr_log(o->pair.d / s->h) * sum;
     for (int i = 0; i < n; i++) u[i] = unit * (u[i] + constant);
 }
 
@@ -80,7 +81,7 @@ static bool set_grid(tr_half_plane *o, double P, tr_status *st) {
     if (!(s->a < o->pair.d))
         return tr_status_fail(st, TR_NUMERICAL, "error: the half-width a = %g of a contact reaches d = %g", s->a,
                               o->pair.d);
-    double unit = 2 * s->h / (M_PI * o->pair.E_star), constant = log(o->pair.d / s->h);
+    double unit = 2 * s->h / (M_PI * o->pair.E_star), constant = tr_log(o->pair.d / s->h);
     for (int k = 0; k < s->n; k++) {
         o->bound[k] = o->pair.mu * s->p[k];
         o->work[k] = unit * (primitive(k + 0.5) - primitive(k - 0.5) + constant);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "patch/patch.h"
+#include "base/math.h"
 #include "base/alloc.h"
 
 #include <stdlib.h>
@@ -35,7 +36,7 @@ void tr_patch_state_clear(tr_patch_state *s) {
 
 /* int_0^X sqrt(1 - s^2) ds */
 static double area(double X) {
-    return 0.5 * (X * sqrt((1 - X) * (1 + X)) + asin(X));
+    return 0.5 * (X * sqrt((1 - X) * (1 + X)) + tr_asin(X));
 }
 
 void tr_patch_state_grid(tr_patch_state *s, const tr_patch_pair *c, double P) {

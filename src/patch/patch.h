@@ -19,6 +19,7 @@
 #define TR_PATCH_H
 
 #include "base/status.h"
+#include "base/math.h"
 #include <math.h>
 
 typedef struct tr_patch_pair {
@@ -40,7 +41,7 @@ static inline double tr_patch_p(const tr_patch_pair *c, double P, double x) {
     return fabs(x) < a ? tr_patch_p0(c, P) * sqrt((1 - x / a) * (1 + x / a)) : 0;
 }
 static inline double tr_patch_Lambda(const tr_patch_pair *c, double P) {
-    return log(2 * c->d / tr_patch_a(c, P));
+    return tr_log(2 * c->d / tr_patch_a(c, P));
 }
 
 /* One step of a numerical solution: to the normal force P >= 0 [N/m], by the roll dr [m], with the sliding du [m] or,

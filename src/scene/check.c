@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/check.h"
+#include "base/math.h"
 #include "scene/tables.h"
 #include "scene/what.h"
 
@@ -146,7 +147,7 @@ static bool check_patch(const checker *c) {
         return tr_text_fail(c->r->st, mark_of(c, 0, "force"),
                             "there is no contact to begin with: give a force above 0");
     pair->d =
-        isnan(pair->depth) ? sqrt(4 * P * pair->R_star / (M_PI * pair->E_star)) * exp(pair->Lambda) / 2 : pair->depth;
+        isnan(pair->depth) ? sqrt(4 * P * pair->R_star / (M_PI * pair->E_star)) * tr_exp(pair->Lambda) / 2 : pair->depth;
     if (!check_depth(c, pair->d, pair->E_star, "")) return false;
     for (int i = 0; i < scene->n_segments; i++) {
         const tr_scene_segment *g = &scene->path[i];
@@ -280,7 +281,7 @@ bool tr_check_together(const tr_resolver *r, tr_scene *scene) {
         if (strcmp(s->section, "walls") != 0) continue;
         /* A normal that is already 1 long to rounding stays as it is: what was written reads back bit for bit. */
         tr_scene_wall *wall = &c->scene->walls[s->item];
-        double length = hypot(wall->nx, wall->ny);
+        double length = tr_hypot(wall->nx, wall->ny);
         if (length < 1e-9) return tr_text_fail(c->r->st, s->mark, "the normal (nx, ny) of `walls.%d` is zero", s->item);
         if (fabs(length - 1) > 4 * DBL_EPSILON) wall->nx /= length, wall->ny /= length;
     }

@@ -5,6 +5,7 @@
  * Dimensions are checked by arithmetic alone: a result in kg^a m^b s^c is multiplied by 4^a when the unit of mass is
  * made four times smaller, and so on. Powers of four stay exact through + - * / and sqrt. */
 #include "scene/expression.h"
+#include "base/math.h"
 #include "base/alloc.h"
 #include "scene/formula.h"
 
@@ -264,7 +265,7 @@ static bool check_dimension(tr_expression *e, const translation *t, tr_dim dim, 
     if (base == 0) return true; /* 1 mm - 1 mm */
     for (int i = 0; i < 3; i++) {
         if (!evaluate(e, t, scale[i], true, &power[i], problem)) return false;
-        power[i] = log2(power[i] / base) / 2;
+        power[i] = tr_log2(power[i] / base) / 2;
     }
     bool same = fabs(power[0] - dim.kg) < SLACK && fabs(power[1] - dim.m) < SLACK && fabs(power[2] - dim.s) < SLACK;
     return same || describe(problem, power);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The only user of muParser. Its own C interface lets exceptions through, so this file takes its place. */
 extern "C" {
+#include "base/math.h"
 #include "scene/formula.h"
 }
 #include <muParser.h>
@@ -12,6 +13,34 @@ struct tr_formula {
 };
 
 namespace {
+
+double add(double x, double y) {
+    return x + y;
+}
+double subtract(double x, double y) {
+    return x - y;
+}
+double multiply(double x, double y) {
+    return x * y;
+}
+double divide(double x, double y) {
+    return x / y;
+}
+
+/* muParser's own ^ and functions are those of the C library. A built-in operator cannot be replaced alone. */
+void define(mu::Parser &parser) {
+    parser.EnableBuiltInOprt(false);
+    parser.DefineOprt("+", add, mu::prADD_SUB);
+    parser.DefineOprt("-", subtract, mu::prADD_SUB);
+    parser.DefineOprt("*", multiply, mu::prMUL_DIV);
+    parser.DefineOprt("/", divide, mu::prMUL_DIV);
+    parser.DefineOprt("^", tr_pow, mu::prPOW, mu::oaRIGHT);
+    parser.DefineFun("exp", tr_exp);
+    parser.DefineFun("sin", tr_sin);
+    parser.DefineFun("cos", tr_cos);
+    parser.DefineFun("tan", tr_tan);
+    parser.DefineFun("atan", tr_atan);
+}
 
 /* Does the work; tells how it ended, whatever was thrown. */
 template <typename Work> tr_formula_end guarded(Work work) {
@@ -31,6 +60,7 @@ extern "C" tr_formula *tr_formula_new(double *values, int n, tr_status *st) {
     tr_formula *f = nullptr;
     tr_formula_end end = guarded([&] {
         f = new tr_formula;
+        define(f->parser);
         for (int i = 0; i < n; i++) f->parser.DefineVar("v" + std::to_string(i), &values[i]);
     });
     if (end == TR_FORMULA_DONE) return f;

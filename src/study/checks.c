@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "study/checks.h"
+#include "base/math.h"
 
 #include "base/alloc.h"
 #include "core/step.h"
@@ -63,7 +64,7 @@ static sight look(const tr_bodies *b, int disk, const tr_record *contact) {
     for (int k = 0; k < 3; k++) now.force[k] = d->force[4 * disk + k] - (d->load ? d->load[4 * disk + k] : 0);
     now.energy = 0.5 * d->mass[disk] * (now.v[0] * now.v[0] + now.v[1] * now.v[1]) +
                  0.5 * d->inertia[disk] * now.v[2] * now.v[2];
-    now.speed = hypot(now.v[0], now.v[1]);
+    now.speed = tr_hypot(now.v[0], now.v[1]);
     return now;
 }
 
@@ -131,12 +132,12 @@ static void stop_time(item *it, const sight *now) {
 
 static void stop_distance(item *it, const sight *now) {
     stop_time(it, now);
-    if (it->done) it->value = hypot(now->x - it->start.x, now->y - it->start.y);
+    if (it->done) it->value = tr_hypot(now->x - it->start.x, now->y - it->start.y);
 }
 
 /* How far the centre went. */
 static void rolls_from(item *it, const sight *now) {
-    it->value = hypot(now->x - it->start.x, now->y - it->start.y);
+    it->value = tr_hypot(now->x - it->start.x, now->y - it->start.y);
 }
 
 /* How far the contact slid. */
@@ -193,10 +194,10 @@ void tr_checks_results(const tr_checks *c, tr_check_result *result) {
 /* On a slope: the normal of wall 0, and the way down that gravity already leans to, else along t. */
 static void lean(tr_scene *scene, double slope) {
     const tr_scene_wall *w = scene->walls;
-    double g = hypot(scene->gravity.x, scene->gravity.y), tx = w->ny, ty = -w->nx;
+    double g = tr_hypot(scene->gravity.x, scene->gravity.y), tx = w->ny, ty = -w->nx;
     double side = scene->gravity.x * tx + scene->gravity.y * ty < 0 ? -1 : 1;
-    scene->gravity.x = g * (side * sin(slope) * tx - cos(slope) * w->nx);
-    scene->gravity.y = g * (side * sin(slope) * ty - cos(slope) * w->ny);
+    scene->gravity.x = g * (side * tr_sin(slope) * tx - tr_cos(slope) * w->nx);
+    scene->gravity.y = g * (side * tr_sin(slope) * ty - tr_cos(slope) * w->ny);
     scene->gravity.turn = 0;
 }
 
@@ -244,7 +245,7 @@ static bool moves_on(const tr_scene *given, const tr_scene_check *check, double 
         ok = tr_bodies_init(b, &scene, st) && creeps(b, check, &distance, options, st);
         if (ok) tr_bodies_free(b);
     }
-    double g = hypot(given->gravity.x, given->gravity.y);
+    double g = tr_hypot(given->gravity.x, given->gravity.y);
     *moves = distance > 0.25 * 1.7e-4 * g * scene.time_end * scene.time_end;
     free(disks), free(b);
     return ok;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* trundle measures: see measures.h. */
 #include "study/measures.h"
+#include "base/math.h"
 
 #include "base/alloc.h"
 #include "laws/kinematics.h"
@@ -229,7 +230,7 @@ static bool row(void *context, tr_csv *csv) {
     table *t = context;
     const tr_motion *m = &t->motion[t->n];
     long line = csv->row_line;
-    double distance = hypot(m->x2x - m->x1x, m->x2y - m->x1y);
+    double distance = tr_hypot(m->x2x - m->x1x, m->x2y - m->x1y);
     if (distance == 0) return tr_csv_fail(csv, line, "x1 and x2 coincide: there is no line of centres");
     if (!in_range(distance)) return tr_csv_fail(csv, line, "x1 and x2 are %.3g m apart: %s", distance, out_of_range);
     if (!in_range(m->R1) && !is_wall(m)) return tr_csv_fail(csv, line, "R1 is %.3g m: %s", m->R1, out_of_range);

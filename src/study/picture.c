@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "study/picture.h"
+#include "base/math.h"
 
 #include "draw/field.h"
 #include "draw/frame_show.h"
@@ -20,7 +21,7 @@ static void widen(double *low, double *high, double value) {
 
 void tr_picture_widen(tr_view_box *v, const tr_play *p) {
     const tr_world *world = &p->b.world;
-    double tilt = tr_play_tilt(p), c = cos(tilt), n = sin(tilt);
+    double tilt = tr_play_tilt(p), c = tr_cos(tilt), n = tr_sin(tilt);
     for (int i = 0; i < world->disks.n; i++) {
         const double *q = world->disks.pos + 4 * (size_t)i;
         double x = q[0] * c - q[1] * n, y = q[0] * n + q[1] * c;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "study/play.h"
+#include "base/math.h"
 
 #include "core/step.h"
 #include "scene/what.h"
@@ -68,7 +69,7 @@ static void sample_curve(tr_play *p) {
     switch (p->curve) {
     case TR_CURVE_SPEED:
         tr_bodies_velocity(&p->b.world, 0, v);
-        *first = hypot(v[0], v[1]);
+        *first = tr_hypot(v[0], v[1]);
         break;
     case TR_CURVE_SPIN:
         tr_bodies_velocity(&p->b.world, p->scene->n_disks - 1, v);
@@ -117,7 +118,7 @@ bool tr_play_to(tr_play *p, int64_t step, tr_status *st) {
 double tr_play_tilt(const tr_play *p) {
     double g[2];
     tr_bodies_gravity(&p->b, g);
-    return g[0] != 0 || g[1] != 0 ? -atan2(g[0], -g[1]) : 0;
+    return g[0] != 0 || g[1] != 0 ? -tr_atan2(g[0], -g[1]) : 0;
 }
 
 /* Of wall 0, downhill; NaN where there is none, or it is level for the whole film. */
@@ -126,7 +127,7 @@ static double slope_of(const tr_play *p) {
     tr_bodies_gravity(&p->b, g);
     if (!p->scene->n_walls || (g[0] == 0 && g[1] == 0)) return NAN;
     const tr_scene_wall *w = &p->scene->walls[0];
-    double slope = atan2(g[0] * w->ny - g[1] * w->nx, -(g[0] * w->nx + g[1] * w->ny));
+    double slope = tr_atan2(g[0] * w->ny - g[1] * w->nx, -(g[0] * w->nx + g[1] * w->ny));
     return fabs(slope) > 1e-9 || p->scene->gravity.turn != 0 ? slope : NAN;
 }
 

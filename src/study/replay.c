@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "study/replay.h"
+#include "base/math.h"
 
 #include "base/alloc.h"
 #include "base/gather.h"
@@ -32,7 +33,7 @@ static double stiffness(const tr_replay *r) {
     }
     P /= n, R /= n;
     double a = tr_law_width(TR_SHAPE_DISK, P, R / 2, r->E_star);
-    return M_PI * r->E_star / (2 * log(2 * tr_law_depth(r->depth, R, R) / a));
+    return M_PI * r->E_star / (2 * tr_log(2 * tr_law_depth(r->depth, R, R) / a));
 }
 
 static bool has(const tr_law *law, const char *key) {
@@ -95,7 +96,7 @@ static int steps_of(const tr_replay *r, const tr_replay_row *from, const tr_repl
     double a = tr_law_width(TR_SHAPE_DISK, to->P, R, r->E_star);
     double before = from ? tr_law_width(TR_SHAPE_DISK, from->P, R, r->E_star) : 0;
     if (!(to->P > 0)) return 1;
-    double slip = r->mu * 2 * to->P / (M_PI * r->E_star) * (log(2 * d / a) + 0.5);
+    double slip = r->mu * 2 * to->P / (M_PI * r->E_star) * (tr_log(2 * d / a) + 0.5);
     int slides = (int)ceil(10 * fmin(fabs(to->slide) / slip, 2)); /* beyond 2 slip all of it slips */
     int steps = tr_patch_pieces(before > 0 ? before : a, a, elements, to->roll);
     return steps > slides ? steps : slides;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* case.yaml, history.csv and paths.csv of a run. What does not fit together is refused with its line. */
 #include "study/replay_read.h"
+#include "base/math.h"
 
 #include "base/alloc.h"
 #include "laws/law.h"
@@ -47,7 +48,7 @@ static bool check_row(const tr_replay *r, const double *v, tr_csv *csv) {
         return tr_csv_fail(csv, line, "a = %.0f is above b = %.0f: a contact has the lower disk first", v[A], v[B]);
     if (v[FORCE] < 0 || !(v[R2] > 0) || !(v[A] < 0 || v[R1] > 0) || !(v[LIFE] >= 1 && v[LIFE] < 2e9))
         return tr_csv_fail(csv, line, "no such contact: P_N_per_m < 0, a radius <= 0 or a life < 1");
-    if (!(hypot(v[X], v[Y]) > 0)) return tr_csv_fail(csv, line, "no such contact: its branch has no length");
+    if (!(tr_hypot(v[X], v[Y]) > 0)) return tr_csv_fail(csv, line, "no such contact: its branch has no length");
     return true;
 }
 

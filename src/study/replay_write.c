@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The tables of a replay. All sums run in the order of the lives. */
 #include "study/replay_write.h"
+#include "base/math.h"
 
 #include "base/alloc.h"
 #include "laws/law.h"
@@ -187,7 +188,7 @@ typedef struct stress {
 
 static void add_contact(const tr_replay *r, int i, stress *s) {
     const tr_replay_row *c = &r->row[i];
-    double length = hypot(c->x, c->y), nx = c->x / length, ny = c->y / length;
+    double length = tr_hypot(c->x, c->y), nx = c->x / length, ny = c->y / length;
     s->time = c->time, s->contacts++;
     s->normal[0] += c->f_n * nx * c->x, s->normal[1] += c->f_n * ny * c->y;
     for (int k = 0; k < r->n_columns; k++) {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A biaxial test with its outputs: compaction, shear, summary, curves; and its checkpoints. */
 #include "study/run_biaxial.h"
+#include "base/math.h"
 
 #include "core/checkpoint.h"
 #include "core/step.h"
@@ -127,7 +128,7 @@ static bool compact(test *t, tr_status *st) {
             return save(t, st) &&
                    tr_status_fail(st, TR_INTERRUPTED, "stopped during compaction; --resume goes on from there");
         if (!tr_biaxial_compact(&t->b, at_once, &t->unbalanced, &done, st)) return false;
-        fraction = fmax(fraction, log(t->unbalanced) / log(asked)); /* it decays exponentially */
+        fraction = fmax(fraction, tr_log(t->unbalanced) / tr_log(asked)); /* it decays exponentially */
         tr_run_progress(t->options, "compaction", fraction);
         if (!done && !save_if_due(t, st)) return false;
     }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "study/spread.h"
+#include "base/math.h"
 
 #include "base/student.h"
 #include "laws/law.h"
@@ -130,7 +131,7 @@ static const spread *row_of(int disks, double mu_r, const char *friction, double
     for (int i = 0; i < N_ROWS; i++) {
         const spread *r = &rows[i];
         if (strcmp(r->friction, friction) != 0 || !is_near(mu_r, r->mu_r)) continue;
-        double off = hypot(log((double)disks / r->disks), log(I / r->I));
+        double off = tr_hypot(tr_log((double)disks / r->disks), tr_log(I / r->I));
         if (off < nearest) nearest = off, best = r;
         low = fmin(low, r->I), high = fmax(high, r->I);
         if (!few || r->disks < few) few = r->disks;
@@ -145,7 +146,7 @@ double tr_spread_half(double s, int seeds) {
 }
 
 double tr_spread_aim(double half) {
-    double power = pow(10, floor(log10(half / 2))), digit = half / 2 / power;
+    double power = tr_pow(10, floor(tr_log10(half / 2))), digit = half / 2 / power;
     return (digit >= 5 ? 5 : digit >= 2 ? 2 : 1) * power;
 }
 

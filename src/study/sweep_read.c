@@ -3,6 +3,7 @@
  * them tells (sweep.c). */
 
 #include "study/sweep_read.h"
+#include "base/math.h"
 
 #include "base/alloc.h"
 #include "study/sweep_twice.h"
@@ -119,7 +120,7 @@ static bool read_range(const reader *r, tr_axis *axis, const tr_node *node) {
     if (log_scale && !(x[0] * x[1] > 0)) return tr_text_fail(r->st, how->mark, "a log range must not reach or cross 0");
     if (!reserve(r, axis, n, points->mark) || !add_value(r, axis, from->text, node->mark)) return false;
     for (int i = 1; i < n - 1; i++) {
-        double s = i / (n - 1), value = log_scale ? x[0] * pow(x[1] / x[0], s) : x[0] + (x[1] - x[0]) * s;
+        double s = i / (n - 1), value = log_scale ? x[0] * tr_pow(x[1] / x[0], s) : x[0] + (x[1] - x[0]) * s;
         char text[300];
         snprintf(text, sizeof text, "%.6g%s", value, unit[0]);
         if (!add_value(r, axis, text, node->mark)) return false;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "study/warn.h"
+#include "base/math.h"
 
 #include "core/fit.h"
 #include "core/resolution.h"
@@ -121,7 +122,7 @@ static double depth_of(const tr_scene *played) {
     const tr_scene_pair *pair = &played->pair;
     if (!isnan(pair->depth)) return pair->depth;
     double a = tr_law_width(TR_SHAPE_DISK, played->path[0].force, pair->R_star, pair->E_star);
-    return isnan(a * pair->Lambda) ? 0 : 0.5 * a * exp(pair->Lambda);
+    return isnan(a * pair->Lambda) ? 0 : 0.5 * a * tr_exp(pair->Lambda);
 }
 
 void tr_warn_contact(const tr_scene *played, tr_run_report *report) {

@@ -196,6 +196,14 @@ mutable_globals() {
         $1 !~ /^(DW\.ref\.|_ZN2mu|_ZStL8__ioinit)/' # the C++ runtime, and constant strings of a header of muParser
 }
 
+# libm_calls DIRECTORY: objects there, but for pictures and verifications, that call functions of libm which round
+# differently from system to system, in any precision. base/math.h has them.
+libm_calls() {
+    find "$1" -name '*.c.o' -o -name '*.cpp.o' | grep -vE '/(draw|verify)/' | sort | xargs nm -A | awk '
+        $(NF - 1) == "U" &&
+        $NF ~ /^(a?(sin|cos|tan)h?|atan2|sincos|exp(2|10|m1)?|log(2|10|1p)?|pow|cbrt|hypot|erfc?|lgamma(_r)?|tgamma|[jy][01n])[fl]?$/'
+}
+
 check 'folders include only what is below them' is_silent forbidden_includes
 check 'no header declares functions of several files' is_silent shared_headers
 check 'no files include each other in a circle' is_silent include_circles
@@ -223,6 +231,12 @@ if ! command -v nm >/dev/null || [ ! -e "$library_file" ]; then
     skip 'no object files call each other in a circle' 'no nm or no libtrundle.a'
 else
     check 'no object files call each other in a circle' is_silent object_circles "$(dirname "$library_file")/src"
+fi
+
+if ! command -v nm >/dev/null || [ ! -e "$library_file" ]; then
+    skip 'log, sin and their like only from base/math.h' 'no nm or no libtrundle.a'
+else
+    check 'log, sin and their like only from base/math.h' is_silent libm_calls "$(dirname "$library_file")/src"
 fi
 
 # ---- each rule broken ----
@@ -297,4 +311,12 @@ core/list needs core/cell
 core/step needs core/list"
 }
 check 'noticed: object files that call each other in a circle' calls_noticed
+
+libm_noticed() {
+    mkdir -p "$work/libm/laws" "$work/libm/draw"
+    printf '#include <math.h>\ndouble f(double x) { return %s; }\n' 'log(x) + sqrt(x) + hypotf(x, 1) + floor(x)' >"$work/libm.c"
+    ${CC:-cc} -O1 -c "$work/libm.c" -o "$work/libm/laws/law.c.o" && cp "$work/libm/laws/law.c.o" "$work/libm/draw/pen.c.o" &&
+        equals "$(libm_calls "$work/libm" | sed 's/.* //' | tr '\n' ' ')" 'hypotf log '
+}
+check 'noticed: log of libm in a law' libm_noticed
 finish
