@@ -3,7 +3,7 @@
  *
  * The C library of a system rounds these in its own way, and glibc chooses by the processor. So the Makefile takes them
  * out of musl's libc.a (Debian: musl-dev; MIT licence), under these names and without anything else of musl. wasi-libc
- * has them of the same sources, for WebAssembly. A new function is declared here and nowhere else: the Makefile reads this.
+ * has them of the same sources, for WebAssembly. A new function is declared here alone: the Makefile reads this.
  * + - * / sqrt, fabs, floor, rint, fmin, ldexp and the like are exact in every C library, and are taken from there. */
 #ifndef TR_MATH_H
 #define TR_MATH_H
