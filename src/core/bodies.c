@@ -42,8 +42,8 @@ static void weigh(tr_bodies *b) {
     tr_bodies_gravity(b, g);
     for (int i = 0; d->load && i < d->n; i++) { /* what moves a centre as it is told carries its weight too */
         const tr_scene_pull *pull = &b->scene->disks[i].pull;
-        const double force[] = {d->mass[i] * g[0] + pull->force * cos(pull->angle),
-                                d->mass[i] * g[1] + pull->force * sin(pull->angle)};
+        const double force[] = {d->mass[i] * g[0] + pull->force * tr_cos(pull->angle),
+                                d->mass[i] * g[1] + pull->force * tr_sin(pull->angle)};
         for (int k = 0; k < 2; k++) d->load[4 * i + k] = d->inv[4 * i + k] > 0 ? force[k] : 0;
     }
 }
