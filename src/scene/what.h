@@ -65,7 +65,7 @@ extern const tr_what_row tr_whats[TR_N_WHATS];
     ROW(f_r, FORCE, "N/m|N")                                                                                           \
     ROW(overlap, LENGTH, "m")
 #define TR_PATCH_COLUMNS(ROW)                                                                                          \
-    ROW(p_max, STRESS, "Pa")                                                                                           \
+    ROW(p_max, MODULUS, "Pa")                                                                                          \
     ROW(stick, LENGTH, "m")                                                                                            \
     ROW(creepage, NUMBER, "1")                                                                                         \
     ROW(dissipated, MOMENT, "J/m")
