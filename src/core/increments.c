@@ -3,6 +3,7 @@
 #include "base/math.h"
 
 #include "base/alloc.h"
+#include "base/quantile.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -83,18 +84,6 @@ tr_increment tr_increments_of(const tr_group *g, int i) {
     return (tr_increment){h[SLIDE][i], h[ROLL][i], h[CREEP][i], h[TOUCHED][i] != 0};
 }
 
-static int ascending(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-/* Of sorted x, between the ranks linearly. */
-static double quantile(const double *x, int n, double share) {
-    double at = share * (n - 1);
-    int k = at < n - 1 ? (int)at : n - 2;
-    return n > 1 ? x[k] + (at - k) * (x[k + 1] - x[k]) : x[0];
-}
-
 /* |part|/|slide| of the contacts that touched all the time and slid; x is room for them. */
 static tr_spread spread(const double *part, const double *slide, const double *touched, int n, double *x) {
     tr_spread r = {0};
@@ -102,8 +91,9 @@ static tr_spread spread(const double *part, const double *slide, const double *t
     for (int i = 0; i < n; i++)
         if (touched[i] && slide[i] != 0) r.mean += x[kept++] = fabs(part[i] / slide[i]);
     if (!kept) return r;
-    qsort(x, (size_t)kept, sizeof *x, ascending);
-    return (tr_spread){quantile(x, kept, 0.25), quantile(x, kept, 0.5), quantile(x, kept, 0.75), r.mean / kept};
+    tr_sort(x, kept);
+    return (tr_spread){tr_quantile(x, kept, 0.25), tr_quantile(x, kept, 0.5), tr_quantile(x, kept, 0.75),
+                       r.mean / kept};
 }
 
 /* Half of what is in the bins lies above it [a]. */

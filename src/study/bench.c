@@ -2,6 +2,7 @@
 #include "study/bench.h"
 
 #include "base/alloc.h"
+#include "base/quantile.h"
 #include "core/biaxial.h"
 #include "core/step.h"
 #include "draw/canvas.h"
@@ -15,23 +16,18 @@
 
 enum { BLOCKS = 100, REPEATS = 25, MAX_STAGES = TR_MAX_PASSES + 2 };
 
-static int compare(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static double quantile(double *values, int n, double q) {
-    qsort(values, (size_t)n, sizeof *values, compare);
-    double at = q * (n - 1);
-    int below = (int)at, above = below + 1 < n ? below + 1 : below;
-    return values[below] + (at - below) * (values[above] - values[below]);
+/* Of no certain order, which it changes. */
+static double median(double *values, int n) {
+    tr_sort(values, n);
+    return tr_quantile(values, n, 0.5);
 }
 
 tr_quartiles tr_bench_quartiles(const double *values, int n) {
     double sorted[BLOCKS];
     assert(n <= BLOCKS);
     memcpy(sorted, values, (size_t)n * sizeof *sorted);
-    return (tr_quartiles){quantile(sorted, n, 0.25), quantile(sorted, n, 0.5), quantile(sorted, n, 0.75)};
+    tr_sort(sorted, n);
+    return (tr_quartiles){tr_quantile(sorted, n, 0.25), tr_quantile(sorted, n, 0.5), tr_quantile(sorted, n, 0.75)};
 }
 
 double tr_bench_clock(const tr_world *world) {
@@ -85,7 +81,7 @@ static void time_passes(tr_world *world, tr_bench_report *r, tr_status *st) {
     for (int p = 0; p < r->n_passes; p++) {
         const char *name = p == 0 ? "gather" : p <= n_pass ? world->group[0].pass[p - 1].name : ends[p - n_pass - 1];
         double seconds =
-            p < n_pass + 2 ? quantile(added[p], REPEATS, 0.5) : r->us_per_step * 1e-6 - quantile(forces, REPEATS, 0.5);
+            p < n_pass + 2 ? median(added[p], REPEATS) : r->us_per_step * 1e-6 - median(forces, REPEATS);
         snprintf(r->pass[p].name, sizeof r->pass[p].name, "%s", name);
         r->pass[p].ns = 1e9 * seconds / contacts;
     }

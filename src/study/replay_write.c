@@ -4,6 +4,7 @@
 #include "base/math.h"
 
 #include "base/alloc.h"
+#include "base/quantile.h"
 #include "laws/law.h"
 #include "out/table.h"
 #include "study/report.h"
@@ -85,17 +86,6 @@ static const struct classes {
                {"rolled_a", 6, {-INFINITY, 0.03, 0.1, 0.3, 1, 3, INFINITY}}};
 enum { N_CLASSES = sizeof classes / sizeof *classes };
 
-static int compare(const void *a, const void *b) {
-    double p = *(const double *)a, q = *(const double *)b;
-    return (p > q) - (p < q);
-}
-
-/* The least value that a share of all does not exceed. */
-static double quantile(const double *sorted, int n, double share) {
-    int i = (int)ceil(share * n) - 1;
-    return sorted[i < 0 ? 0 : i];
-}
-
 typedef struct sample {
     int n;
     double *e; /* |error| */
@@ -128,7 +118,7 @@ static void collect(const tr_replay *r, wanted of, sample *s) {
         double at = !of.by ? 0 : of.by == 2 ? rolled : of_rows ? mobilisation(r, i) : largest_mobilisation(r, life);
         if (is_in(c, of.k, at)) add(s, of_rows ? force_error(r, i, of.law) : energy_error(life, of.law));
     }
-    qsort(s->e, (size_t)s->n, sizeof *s->e, compare);
+    tr_sort(s->e, s->n);
 }
 
 static bool write_class(const tr_replay *r, wanted of, sample *s, tr_file *file, tr_status *st) {
@@ -139,7 +129,7 @@ static bool write_class(const tr_replay *r, wanted of, sample *s, tr_file *file,
         fputs("error_of,law,by,above,up_to,n,mean,rms,median,q75,q90,q99,max\n", file->stream);
     if (!s->n) return true;
     double number[7] = {s->sum / s->n, sqrt(s->squares / s->n)};
-    for (int i = 0; i < 5; i++) number[2 + i] = quantile(s->e, s->n, shares[i]);
+    for (int i = 0; i < 5; i++) number[2 + i] = tr_quantile(s->e, s->n, shares[i]);
     fprintf(file->stream, "%s,%s,%s,%g,%g,%d", of.of_rows ? "force" : "energy", r->name[of.law], c->name,
             c->end[of.k], c->end[of.k + 1], s->n);
     for (int i = 0; i < 7; i++) putc(',', file->stream), tr_cell_put(file->stream, number[i], 6);
@@ -158,7 +148,7 @@ static void report_law(const tr_replay *r, int law, sample *s, tr_run_report *re
         tr_run_say(report, r->name[law], "no contact does work by friction");
     else
         tr_run_say(report, r->name[law], "error/(mu P): median %.4f, 90 %% %.4f, 99 %% %.4f; energy %+.2f %%",
-                   quantile(s->e, s->n, 0.5), quantile(s->e, s->n, 0.9), quantile(s->e, s->n, 0.99),
+                   tr_quantile(s->e, s->n, 0.5), tr_quantile(s->e, s->n, 0.9), tr_quantile(s->e, s->n, 0.99),
                    100 * (work / exact - 1));
 }
 

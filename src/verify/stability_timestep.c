@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The time step: random networks (stability_network.h) at 0.1 to 2 times their exact limit. */
 #include "base/alloc.h"
+#include "base/quantile.h"
 #include "core/timestep.h"
 #include "verify/stability.h"
 #include "verify/stability_network.h"
@@ -14,11 +15,6 @@ typedef struct tally {
         worst_share; /* limit/bound; of it in sqrt(z), which is the most it can be without damping */
     int unstable_below, wrong;
 } tally;
-
-static int compare(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
 
 static bool one(tr_verify *v, tr_network *net, tally *t, int i, tr_status *st) {
     double bound = tr_timestep_contacts(&net->w).dt, limit = tr_network_limit(net), a_step;
@@ -46,8 +42,8 @@ bool tr_stability_networks(tr_verify *v, tr_status *st) {
         tr_network_free(net);
     }
     if (ok) {
-        qsort(t->factor, NETWORKS, sizeof(double), compare);
-        double median = 0.5 * (t->factor[NETWORKS / 2 - 1] + t->factor[NETWORKS / 2]);
+        tr_sort(t->factor, NETWORKS);
+        double median = tr_quantile(t->factor, NETWORKS, 0.5);
         const tr_verify_row rows[] = {
             {"networks unstable at 0.99 of the bound", "1", 0, t->unstable_below, 0, "a bound is a bound", NAN, NULL},
             {"networks where leapfrog and Cholesky differ", "1", 0, t->wrong, 0, "dt beyond 2 % of the limit", NAN,

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "verify/sweep.h"
 
+#include "base/quantile.h"
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <time.h>
 
 enum { MOST_REPEATS = 15 };
@@ -19,14 +19,9 @@ double tr_sweep_now(void) {
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-static int ascending(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 double tr_sweep_median(double *values, int n) {
-    qsort(values, (size_t)n, sizeof *values, ascending);
-    return values[n / 2];
+    tr_sort(values, n);
+    return tr_quantile(values, n, 0.5);
 }
 
 static double slope(const cell *c, int n, double floor) {
@@ -94,14 +89,15 @@ static bool add_rows(tr_verify *v, const tr_sweep *s, int m, const cell *c, tr_s
 static bool add_points(tr_verify *v, const tr_sweep *s, int m, cell *c, tr_status *st) {
     for (int k = 0; k < s->steps; k++) {
         double *t = c[k].seconds;
+        tr_sort(t, s->repeats);
         if (!tr_verify_point_add(v,
                                  &(tr_verify_point){.series = s->method[m].name,
                                                     .step_name = s->step_name,
                                                     .step = c[k].result.step,
                                                     .error = c[k].result.error,
-                                                    .seconds = tr_sweep_median(t, s->repeats),
-                                                    .low = t[s->repeats / 4],
-                                                    .high = t[(3 * s->repeats) / 4],
+                                                    .seconds = tr_quantile(t, s->repeats, 0.5),
+                                                    .low = tr_quantile(t, s->repeats, 0.25),
+                                                    .high = tr_quantile(t, s->repeats, 0.75),
                                                     .usual = k == s->usual},
                                  st))
             return false;
