@@ -68,7 +68,7 @@ extern const tr_what_row tr_whats[TR_N_WHATS];
     ROW(p_max, MODULUS, "Pa")                                                                                          \
     ROW(stick, LENGTH, "m")                                                                                            \
     ROW(creepage, NUMBER, "1")                                                                                         \
-    ROW(dissipated, MOMENT, "J/m")
+    ROW(dissipated, MOMENT, "J/m|J")
 
 #define TR_COLUMN_CHOICE(name, ...) TR_COLUMN_##name,
 typedef enum tr_column {
