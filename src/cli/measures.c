@@ -4,20 +4,30 @@
 #include "cli/parse.h"
 #include "cli/progress.h"
 #include "laws/law.h"
+#include "base/alloc.h"
+#include "laws/kinematics.h"
 #include "out/dir.h"
+#include "study/card.h"
 #include "study/measures.h"
 #include <argp.h>
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 typedef struct arguments {
-    const char *file, *out;
+    const char *file, *out, *card;
+    bool arms;
 } arguments;
+
+enum { CARD = 256, ARMS };
 
 static const struct argp_option options[] = {
     {"output", 'o', "OUT.csv", 0, "write CSV there, whole or not at all (default with FILE.csv: standard output)", 0},
+    {"card", CARD, "OUT.csv", 0,
+     "write motions for another code to run, with overlap and with the springs to use, for trundle identify", 0},
+    {"arms", ARMS, NULL, 0, "also the arms of every code: columns r1_..., r2_..., power_..., and a table of them", 0},
     {0},
 };
 
@@ -25,10 +35,16 @@ static error_t parse(int key, char *value, struct argp_state *state) {
     arguments *a = state->input;
     if (key == 'o')
         a->out = value;
+    else if (key == CARD)
+        a->card = value;
+    else if (key == ARMS)
+        a->arms = true;
     else if (key == ARGP_KEY_ARG && !a->file)
         a->file = value;
     else if (key == ARGP_KEY_ARG)
         argp_error(state, "one file at a time");
+    else if (key == ARGP_KEY_END && a->card && (a->file || a->out || a->arms))
+        argp_error(state, "--card writes a table of its own: give it alone");
     else
         return ARGP_ERR_UNKNOWN;
     return 0;
@@ -61,7 +77,16 @@ static const char doc[] =
     "  Vroll_kuhn           material through the contact, along t\n"
     "  Vs_midpoint          arms R - delta/2; R2 - delta at a wall\n"
     "  lambda_dot           common spin of pure sliding [rad/s]\n"
-    "  alpha1_dot,..2_dot   spins of pure rolling [rad/s]\n";
+    "  alpha1_dot,..2_dot   spins of pure rolling [rad/s]\n\n"
+    "With --arms also, for each row of the table of arms:\n\n"
+    "  r1_...,r2_...        arms of the torques of friction [m]\n"
+    "  power_...            power of a unit force of friction with them [m/s]; that of the sliding velocity, if both "
+    "fit\n\n"
+    "The table of --card has three lines for each motion, told apart by `experiment`: roll (a rolling spring k_roll), "
+    "cap "
+    "(its bound mu_r F_n is reached at once), slide (a spring k_t). 0 is none. Keep the places, give the velocities "
+    "for "
+    "`time` from a new contact, add your F_n, F_t, M1, M2 as columns, and hand the file to trundle identify.\n";
 
 /* ---- the card */
 
@@ -89,6 +114,11 @@ static bool is_angle(const column *c) {
 
 static double by(const column *c, const tr_motion_measures *m) {
     return (c->rolling ? m->rolling : m->sliding)[c->k] / (is_angle(c) ? TR_CARD_U / TR_CARD_R2 : TR_CARD_U);
+}
+
+/* Rounding is nothing. */
+static double tidy(double v) {
+    return fabs(v) < 1e-9 ? 0 : v;
 }
 
 static void print_cell(const column *d, const tr_card_motion *c, const tr_motion_measures *m, bool last) {
@@ -149,7 +179,43 @@ static void print_card(const tr_card_motion *card, const tr_motion_measures *mea
     print_formulas(c + n_rolling, n - n_rolling);
 }
 
-static bool card(FILE *csv, tr_status *st) {
+/* Worst of the card's motions with overlap: what a rigid rotation slides, what r1 + r2 lacks of |X21|, and the power of
+ * a unit force less the sliding velocity. */
+static void print_arms(const tr_card_row *row, const tr_motion_measures *measures) {
+    printf("\narms               with 5 %% overlap: rigid rotation slides, r1+r2 less |X21|, power less V_s\n");
+    for (int k = 0; k < tr_n_arms_measured; k++) {
+        double slides = 0, length = 0, power = 0;
+        for (int i = 0; i < TR_CARD_ROWS; i += 3) {
+            const tr_motion *m = &row[i].motion;
+            const tr_motion_measures *of = &measures[i];
+            double L = hypot(m->x2x - m->x1x, m->x2y - m->x1y),
+                   Vs = tr_measures_sliding_of(of, tr_arms_rows[k].sliding);
+            if (isinf(m->R1) || row[i].overlap < 0.01 * L || !strstr(row[i].label, "resting")) continue;
+            if (!strncmp(row[i].label, "RBR", 3)) slides = fmax(slides, fabs(Vs) / fabs(m->w1 * row[i].overlap));
+            length = fmax(length, fabs(of->arms[k].r1 + of->arms[k].r2 - L) / row[i].overlap);
+            power = fmax(power, fabs(of->arms[k].power - Vs) / TR_CARD_U);
+        }
+        printf("%-19s%6.3f w*overlap, %6.3f overlap, %6.3f U   %s\n", tr_arms_rows[k].name, tidy(slides), tidy(length),
+               tidy(power), tr_arms_rows[k].formula);
+    }
+}
+
+static bool arms(tr_status *st) {
+    tr_card_row *row = tr_alloc(TR_CARD_ROWS, sizeof *row, st);
+    tr_motion *motion = tr_alloc(TR_CARD_ROWS, sizeof *motion, st);
+    tr_motion_measures *measures = tr_alloc(TR_CARD_ROWS, sizeof *measures, st);
+    bool ok = row && motion && measures;
+    if (ok) {
+        tr_card_make(row);
+        for (int i = 0; i < TR_CARD_ROWS; i++) motion[i] = row[i].motion;
+        ok = tr_measures_motions(motion, TR_CARD_ROWS, measures, st);
+    }
+    if (ok) print_arms(row, measures);
+    free(measures), free(motion), free(row);
+    return ok;
+}
+
+static bool card(const arguments *a, FILE *csv, tr_status *st) {
     tr_card_motion card[TR_CARD_MOTIONS];
     tr_motion motion[TR_CARD_MOTIONS];
     tr_motion_measures measures[TR_CARD_MOTIONS];
@@ -157,9 +223,10 @@ static bool card(FILE *csv, tr_status *st) {
     for (int i = 0; i < TR_CARD_MOTIONS; i++) motion[i] = card[i].motion;
     if (!tr_measures_motions(motion, TR_CARD_MOTIONS, measures, st)) return false;
     print_card(card, measures);
-    if (csv) tr_measures_write_header(csv);
-    for (int i = 0; csv && i < TR_CARD_MOTIONS; i++) tr_measures_write(csv, card[i].label, &motion[i], &measures[i]);
-    return true;
+    if (csv) tr_measures_write_header(csv, a->arms);
+    for (int i = 0; csv && i < TR_CARD_MOTIONS; i++)
+        tr_measures_write(csv, card[i].label, &motion[i], &measures[i], a->arms);
+    return !a->arms || arms(st);
 }
 
 /* ---- where the table goes */
@@ -167,7 +234,8 @@ static bool card(FILE *csv, tr_status *st) {
 static bool to_file(const arguments *a, tr_status *st) {
     tr_file file;
     if (!tr_cli_open(&file, a->out, a->file, st)) return false;
-    if (a->file ? tr_measures_csv(a->file, file.stream, st) : card(file.stream, st)) return tr_file_commit(&file, st);
+    if (a->file ? tr_measures_csv(a->file, a->arms, file.stream, st) : card(a, file.stream, st))
+        return tr_file_commit(&file, st);
     tr_file_discard(&file);
     return false;
 }
@@ -176,7 +244,7 @@ static bool to_file(const arguments *a, tr_status *st) {
 static bool to_stdout(const arguments *a, tr_status *st) {
     FILE *rows = tmpfile();
     if (!rows) return tr_status_fail(st, TR_FILE, "error: cannot make a temporary file: %s", strerror(errno));
-    bool ok = tr_measures_csv(a->file, rows, st);
+    bool ok = tr_measures_csv(a->file, a->arms, rows, st);
     if (ok && (fflush(rows) || ferror(rows)))
         ok = tr_status_fail(st, TR_FILE, "error: cannot write a temporary file: %s", strerror(errno));
     char chunk[1 << 14];
@@ -187,12 +255,28 @@ static bool to_stdout(const arguments *a, tr_status *st) {
     return ok;
 }
 
+static bool write_card(const char *path, tr_status *st) {
+    tr_file file;
+    tr_card_row *row = tr_alloc(TR_CARD_ROWS, sizeof *row, st);
+    bool ok = row && tr_cli_open(&file, path, NULL, st);
+    if (ok) {
+        tr_card_make(row);
+        tr_card_write(file.stream, row);
+        ok = tr_file_commit(&file, st);
+    }
+    free(row);
+    return ok;
+}
+
 int tr_cli_measures(int argc, char **argv) {
     arguments a = {0};
     const struct argp argp = {options, parse, "[FILE.csv]", doc, 0, 0, 0};
     argv[0] = "trundle measures";
     tr_cli_parse(&argp, argc, argv, &a);
     tr_status st = {0};
-    bool ok = a.out ? to_file(&a, &st) : a.file ? to_stdout(&a, &st) : card(NULL, &st);
+    bool ok = a.card   ? write_card(a.card, &st)
+              : a.out  ? to_file(&a, &st)
+              : a.file ? to_stdout(&a, &st)
+                       : card(&a, NULL, &st);
     return ok ? TR_OK : tr_cli_fail(&st);
 }

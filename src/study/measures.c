@@ -59,6 +59,12 @@ double tr_measures_of_column(const tr_motion_measures *measures, const char *nam
     return NAN;
 }
 
+double tr_measures_sliding_of(const tr_motion_measures *measures, const char *name) {
+    int k = 0;
+    while (strcmp(tr_sliding_velocities[k].name, name)) k++;
+    return measures->sliding[k];
+}
+
 /* ---- motions through the passes */
 
 typedef struct lanes {
@@ -116,12 +122,22 @@ static void measure_tile(lanes *b, tr_pass_run *kinematics, const tr_motion *mot
         tr_sliding_velocities[k].step(&b->tile, NULL);
         for (int i = 0; i < b->tile.n; i++) out[b->of[i]].sliding[k] = b->tile.v_s[i];
     }
+    for (int k = 0; k < tr_n_arms_measured; k++) {
+        tr_arms_rows[k].arms(&b->tile, NULL);
+        for (int i = 0; i < b->tile.n; i++) {
+            tr_motion_measures *m = &out[b->of[i]];
+            double r1 = b->tile.r1[i], r2 = b->tile.r2[i];
+            m->arms[k].r1 = r1, m->arms[k].r2 = r2;
+            m->arms[k].power = m->Vt + r1 * b->tile.w1[i] + r2 * b->tile.w2[i];
+        }
+    }
 }
 
 bool tr_measures_motions(const tr_motion *motion, int n, tr_motion_measures *measures, tr_status *st) {
     lanes *b = tr_alloc(1, sizeof *b, st);
     if (!b) return false;
-    assert(tr_n_rolling_measures <= TR_MOST_DEFINITIONS && tr_n_sliding_measures <= TR_MOST_DEFINITIONS);
+    assert(tr_n_rolling_measures <= TR_MOST_DEFINITIONS && tr_n_sliding_measures <= TR_MOST_DEFINITIONS &&
+           tr_n_arms_measured <= TR_MOST_ARMS);
     memset(measures, 0, (size_t)n * sizeof *measures);
     b->tile.R1 = b->R1, b->tile.R2 = b->R2, b->tile.g1 = b->g1;
     for (int wall = 0; wall < 2; wall++) /* as in an assembly: pairs in tiles of their own, then walls */
@@ -141,14 +157,24 @@ bool tr_measures_motions(const tr_motion *motion, int n, tr_motion_measures *mea
 
 /* ---- rows out */
 
-void tr_measures_write_header(FILE *out) {
+/* A name of the table as part of that of a column. */
+static void write_name(FILE *out, const char *what, const char *name) {
+    fprintf(out, ",%s_", what);
+    for (; *name; name++) fputc(*name == '-' ? '_' : *name, out);
+}
+
+void tr_measures_write_header(FILE *out, bool arms) {
     fputs("case", out);
     for (int k = 0; k < TR_MOTION_COLUMNS; k++) fprintf(out, ",%s", tr_motion_columns[k].name);
     for (int k = 0; k < tr_measures_columns(); k++) fprintf(out, ",%s", tr_measures_column_of(k).name);
+    for (int k = 0; arms && k < tr_n_arms_measured; k++)
+        for (int what = 0; what < 3; what++)
+            write_name(out, what == 0 ? "r1" : what == 1 ? "r2" : "power", tr_arms_rows[k].name);
     fputc('\n', out);
 }
 
-void tr_measures_write(FILE *out, const char *label, const tr_motion *motion, const tr_motion_measures *measures) {
+void tr_measures_write(FILE *out, const char *label, const tr_motion *motion, const tr_motion_measures *measures,
+                       bool arms) {
     size_t length = strlen(label);
     bool plain =
         length > 0 && !strpbrk(label, ",\"\r\n") && !strchr(" \t", label[0]) && !strchr(" \t", label[length - 1]);
@@ -160,6 +186,8 @@ void tr_measures_write(FILE *out, const char *label, const tr_motion *motion, co
     /* + 0.0: a zero has no sign in a table */
     for (int k = 0; k < tr_measures_columns(); k++)
         fprintf(out, ",%.17g", value(measures, tr_measures_column_of(k)) + 0.0);
+    for (int k = 0; arms && k < tr_n_arms_measured; k++)
+        fprintf(out, ",%.17g,%.17g,%.17g", measures->arms[k].r1, measures->arms[k].r2, measures->arms[k].power + 0.0);
     fputc('\n', out);
 }
 
@@ -167,6 +195,7 @@ void tr_measures_write(FILE *out, const char *label, const tr_motion *motion, co
 
 typedef struct table {
     FILE *out;
+    bool arms;
     /* rows that wait to be measured, and the one being read */
     int n;
     long lines[TR_TILE];
@@ -185,7 +214,7 @@ static bool flush(table *t, tr_csv *csv) {
                 return tr_csv_fail(csv, t->lines[i],
                                    "%s is not finite: the numbers of this row are too large or too small",
                                    tr_measures_column_of(k).name);
-        tr_measures_write(t->out, t->label[i], &t->motion[i], &t->measures[i]);
+        tr_measures_write(t->out, t->label[i], &t->motion[i], &t->measures[i], t->arms);
     }
     t->n = 0;
     if (!ferror(t->out)) return true;
@@ -195,7 +224,7 @@ static bool flush(table *t, tr_csv *csv) {
 static bool begin(void *context, tr_csv *csv) {
     table *t = context;
     (void)csv;
-    tr_measures_write_header(t->out);
+    tr_measures_write_header(t->out, t->arms);
     return true;
 }
 
@@ -239,13 +268,13 @@ static bool row(void *context, tr_csv *csv) {
     return t->n < TR_TILE || flush(t, csv);
 }
 
-bool tr_measures_csv(const char *path, FILE *out, tr_status *st) {
+bool tr_measures_csv(const char *path, bool arms, FILE *out, tr_status *st) {
     const char *columns[COLUMNS] = {"case"};
     for (int k = 0; k < TR_MOTION_COLUMNS; k++) columns[1 + k] = tr_motion_columns[k].name;
     const tr_csv_format format = {columns, COLUMNS, COLUMNS, "case,R1,R2,x1x,...", begin, cell, row};
     table *t = tr_alloc(1, sizeof *t, st);
     if (!t) return false;
-    t->out = out;
+    t->out = out, t->arms = arms;
     tr_csv csv = {.path = path, .st = st};
     bool ok = tr_csv_read(path, &format, t, st) && flush(t, &csv);
     free(t);

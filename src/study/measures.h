@@ -22,7 +22,7 @@ typedef struct tr_motion {
 
 /* Its measures, per unit time. n = X21/|X21|, t = n x k. Velocities [m/s]; beta_dot, lambda_dot, alpha1_dot,
  * alpha2_dot and angles [rad/s]. */
-enum { TR_MOST_DEFINITIONS = 24 };
+enum { TR_MOST_DEFINITIONS = 24, TR_MOST_ARMS = 8 };
 typedef struct tr_motion_measures {
     double beta_dot; /* spin of the line of centres */
     double Vt;       /* (v2 - v1).t */
@@ -31,6 +31,10 @@ typedef struct tr_motion_measures {
     double rolling[TR_MOST_DEFINITIONS], sliding[TR_MOST_DEFINITIONS]; /* by the rows of tr_rolling_velocities and of
                                                                           tr_sliding_velocities */
     double lambda_dot, alpha1_dot, alpha2_dot; /* pure sliding and pure rolling parts [Wang2015 eq. 8] */
+    struct {
+        double r1, r2; /* arms of the torques of friction [m] */
+        double power;  /* of a unit force of friction with them, Vt + r1 w1 + r2 w2 [m/s]: that of Vs, if conjugate */
+    } arms[TR_MOST_ARMS]; /* by the rows of tr_arms_rows */
 } tr_motion_measures;
 
 /* A column of the file and its double in the struct. */
@@ -46,18 +50,22 @@ tr_measures_column tr_measures_column_of(int k); /* column k from 0 */
 double tr_measures_of_column(const tr_motion_measures *measures,
                              const char *name); /* NAN: there is none of this name */
 
+/* The sliding velocity by the row of tr_sliding_velocities of this name, which must be there. */
+double tr_measures_sliding_of(const tr_motion_measures *measures, const char *name);
+
 /* measures[i] of motion[i], i < n. Motions must be finite (but for R1), radii and distances above 0. TR_FILE when
  * memory is short. */
 bool tr_measures_motions(const tr_motion *motion, int n, tr_motion_measures *measures, tr_status *st);
 
-/* A row as CSV, 17 significant digits: case, motion, measures. */
-void tr_measures_write_header(FILE *out);
-void tr_measures_write(FILE *out, const char *label, const tr_motion *motion, const tr_motion_measures *measures);
+/* A row as CSV, 17 significant digits: case, motion, measures; arms: those of every row of the table too. */
+void tr_measures_write_header(FILE *out, bool arms);
+void tr_measures_write(FILE *out, const char *label, const tr_motion *motion, const tr_motion_measures *measures,
+                       bool arms);
 
 /* Reads the table at path and writes it with its measures to out; columns in any order, others than `case` and those of
  * tr_motion are left out of the result. Rows stream: memory does not grow with the file. On failure (TR_BAD_CASE with
  * "path:line: error: ...", or TR_FILE) rows may have been written. */
-bool tr_measures_csv(const char *path, FILE *out, tr_status *st);
+bool tr_measures_csv(const char *path, bool arms, FILE *out, tr_status *st);
 
 /* ---- the card: pure motions [Wang2015 eqs. 1-6, 14-15] */
 

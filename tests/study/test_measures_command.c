@@ -3,7 +3,9 @@
  * (velocities of material points, cross products, the equations that the decomposition must satisfy), to 1e-12 of the
  * velocity scale; the table's way through a file; and what is refused, with its message. */
 #include "assert_close.h"
+#include "laws/kinematics.h"
 #include "laws/law.h"
+#include "study/card.h"
 #include "study/measures.h"
 
 #include <stdlib.h>
@@ -235,6 +237,50 @@ static void test_card(void **state) {
     }
 }
 
+/* The card for other codes: places overlap as they say, all observers see one motion, and each motion is what its name
+ * says, by speeds of the rims worked out here. */
+static void test_card_for_codes(void **state) {
+    (void)state;
+    static tr_card_row row[TR_CARD_ROWS];
+    tr_card_make(row);
+    for (int i = 0; i < TR_CARD_ROWS; i++) {
+        const tr_motion *m = &row[i].motion;
+        double L = hypot(m->x2x - m->x1x, m->x2y - m->x1y), sum = isinf(m->R1) ? m->R2 : m->R1 + m->R2;
+        bool wall = isinf(m->R1);
+        assert_close(sum - L, row[i].overlap, 0, 1e-15);
+        assert_close(row[i].overlap / sum, strstr(row[i].label, "0.1%") ? 0.001 : 0.05, 1e-12, 0);
+        assert_true(strstr(row[i].label, "RBR") == row[i].label || fabs(of(*m).s1) + fabs(of(*m).s2) > 1e-3);
+        enum { HALF = TR_CARD_ROWS / 2, PAIRS = 3 * TR_CARD_PAIRS / 2 }; /* of one overlap; floors come last */
+        int first = wall ? (i % HALF - PAIRS) % 6 : i % HALF % 9,
+            same = i - first + first % 3; /* the resting observer */
+        tr_motion_measures one = of(row[same].motion), r = of(*m);
+        assert_close(r.s1, one.s1, 0, TIGHT);
+        assert_close(r.s2, one.s2, 0, TIGHT);
+        if (!strncmp(row[i].label, "RBR", 3)) assert_close(fabs(r.s1) + fabs(r.s2), 0, 0, TIGHT);
+        if (!strncmp(row[i].label, "PR", 2)) assert_close(r.s1, r.s2, 0, TIGHT);
+        if (!strncmp(row[i].label, "PS R", 4)) assert_close(by(&r, "Vs_wang"), 0.01, TIGHT, 0);
+        if (strstr(row[i].label, "rolling")) assert_close(r.s1, r.s2, 0, TIGHT);
+        int springs = (row[i].k_t > 0) + (row[i].k_roll > 0); /* one experiment a row */
+        assert_int_equal(springs, 1);
+    }
+}
+
+/* Columns of --arms, by hand: R1 = 2, R2 = 1, |X21| = 2.5, overlap 0.5; Vt = -0.6. */
+static void test_arms_by_hand(void **state) {
+    (void)state;
+    tr_motion_measures r = of((tr_motion){.R1 = 2, .R2 = 1, .x2x = 2.5, .v2y = 0.6, .w1 = 0.5, .w2 = 0.4});
+    static const double wanted[][3] = {{5.0 / 3, 2.5 / 3, -0.6 + 2.5 / 3 + 1.0 / 3},
+                                       {1.75, 0.75, -0.6 + 0.875 + 0.3},
+                                       {2, 1, -0.6 + 1 + 0.4},
+                                       {1.75, 0.75, 0.575},
+                                       {1.75, 0.75, 0.575}};
+    for (int k = 0; k < tr_n_arms_measured; k++) {
+        assert_close(r.arms[k].r1, wanted[k][0], TIGHT, 0);
+        assert_close(r.arms[k].r2, wanted[k][1], TIGHT, 0);
+        assert_close(r.arms[k].power, wanted[k][2], TIGHT, 0);
+    }
+}
+
 /* ---- errata that other tests do not show */
 
 static void test_errata(void **state) {
@@ -281,7 +327,7 @@ static result run(const char *text, size_t length) {
     result r = {0};
     size_t size = 0;
     FILE *out = open_memstream(&r.text, &size);
-    r.ok = tr_measures_csv(in, out, &r.st);
+    r.ok = tr_measures_csv(in, false, out, &r.st);
     fclose(out);
     unlink(in);
     if (!r.ok) { /* the name is not always the same */
@@ -467,7 +513,7 @@ static void test_unreadable(void **state) {
     for (int k = 0; k < 2; k++) {
         tr_status st = {0};
         FILE *out = tmpfile();
-        assert_false(tr_measures_csv(bad[k][0], out, &st));
+        assert_false(tr_measures_csv(bad[k][0], false, out, &st));
         assert_int_equal(st.code, TR_FILE);
         assert_string_equal(st.text, bad[k][1]);
         assert_int_equal(ftell(out), 0);
@@ -480,7 +526,7 @@ static void test_unreadable(void **state) {
     assert_true(full && fd >= 0 && dprintf(fd, "%s\n", HEADER) > 0);
     for (int i = 0; i < 1000; i++) dprintf(fd, "%s\n", ROW);
     close(fd);
-    assert_false(tr_measures_csv(in, full, &st));
+    assert_false(tr_measures_csv(in, false, full, &st));
     assert_int_equal(st.code, TR_FILE);
     assert_string_equal(st.text, "error: cannot write the measures: No space left on device");
     fclose(full);
@@ -495,6 +541,8 @@ int main(void) {
         cmocka_unit_test(test_definitions),
         cmocka_unit_test(test_many_motions),
         cmocka_unit_test(test_card),
+        cmocka_unit_test(test_card_for_codes),
+        cmocka_unit_test(test_arms_by_hand),
         cmocka_unit_test(test_errata),
         cmocka_unit_test(test_round_trip),
         cmocka_unit_test(test_forms_of_a_file),
