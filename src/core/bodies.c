@@ -77,7 +77,11 @@ static bool fill(tr_bodies *b, const tr_scene *scene, tr_status *st) {
     circle(b);
     for (int w = 0; w < scene->n_walls; w++) {
         const tr_scene_wall *s = &scene->walls[w];
-        world->wall[w] = (tr_wall){.x = s->x, .y = s->y, .nx = s->nx, .ny = s->ny, .vx = s->vx, .vy = s->vy};
+        world->wall[w] = (tr_wall){.x = s->x, .y = s->y, .nx = s->nx, .ny = s->ny, .vx = s->vx, .vy = s->vy,
+                                   .belt = s->belt, .from = -INFINITY, .to = INFINITY};
+        if (s->from < s->to && s->from > -TR_ENDLESS) world->wall[w].from = s->from, world->wall[w].ends = true;
+        if (s->from < s->to && s->to < TR_ENDLESS) world->wall[w].to = s->to, world->wall[w].ends = true;
+        world->wall_laws[w] = s->own ? &s->contact : NULL;
     }
     world->n_walls = scene->n_walls;
     return true;

@@ -88,7 +88,7 @@ void tr_world_checkpoint(tr_world *world, tr_checkpoint *c) {
     TR_KEEP_NUMBERS(c, &world->wide_extent, 1);
     TR_KEEP_NUMBERS(c, &world->thin_extent, 1);
     keep_near(&world->near, d->n, c);
-    for (int k = 0; k < 2; k++) keep_group(&world->group[k], world, c);
+    for (int k = 0; k < world->n_groups; k++) keep_group(&world->group[k], world, c);
     if (world->ledger) TR_KEEP_NUMBERS(c, world->ledger, 1);
 }
 

@@ -12,6 +12,7 @@
 #include "core/list.h"
 #include "core/stretch.h"
 #include "core/timestep.h"
+#include "core/wall.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -84,11 +85,11 @@ static bool check_walls(tr_world *world, tr_status *st) {
     return true;
 }
 
-static bool list_walls(tr_world *world, tr_status *st) {
-    tr_group *g = &world->group[1];
+static bool list_walls(tr_world *world, int group, tr_status *st) {
+    tr_group *g = &world->group[group];
     tr_list_begin(g);
     for (int w = 0; w < world->n_walls; w++)
-        for (int i = 0; i < world->disks.n; i++) {
+        for (int i = 0; i < world->disks.n && world->wall_kind[w] == group - 1; i++) {
             if (wall_overlap(world, w, i) <= -world->thin_skin) continue;
             if (!tr_list_reserve(g, g->n + 1, st)) return false;
             g->a[g->n] = w, g->b[g->n++] = i;
@@ -219,8 +220,10 @@ bool tr_contacts_refresh(tr_world *world, tr_status *st) {
     pruning p;
     p.world = world, p.threads = tr_world_threads(world);
     if (!pick_disks(&p, st) || !check_walls(world, st)) return false;
-    if (!list_disks(&p, st) || !list_walls(world, st)) return false;
-    for (int k = 0; k < 2; k++) tr_list_carry(world, &world->group[k]);
+    if (!list_disks(&p, st)) return false;
+    for (int k = 1; k < world->n_groups; k++)
+        if (!list_walls(world, k, st)) return false;
+    for (int k = 0; k < world->n_groups; k++) tr_list_carry(world, &world->group[k]);
     tr_list_constants(world, world->disks.coordination);
     copy_centres(&world->disks, world->thin_ref);
     world->thin_extent = now;

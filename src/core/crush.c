@@ -53,7 +53,7 @@ static double kinetic_energy(const tr_world *w) {
 }
 
 void tr_crush_say(const tr_world *world, const tr_crush *crush, char *text, size_t size) {
-    const tr_slot *normal = &world->group[crush->walls].slot[TR_NORMAL];
+    const tr_slot *normal = &tr_world_group(world, crush->walls ? -1 - crush->a : crush->a)->slot[TR_NORMAL];
     const tr_disks *d = &world->disks;
     const size_t one = 4 * (size_t)(crush->walls ? crush->b : crush->a), two = 4 * (size_t)crush->b;
     const double *inv1 = d->inv + one, *inv2 = d->inv + two;

@@ -179,7 +179,9 @@ void tr_ledger_walls(tr_world *world) {
     for (int w = 0; w < world->n_walls; w++) {
         const tr_wall *wall = &world->wall[w];
         ledger->work -=
-            0.5 * world->dt * ((ledger->wall_fx[w] + wall->fx) * wall->vx + (ledger->wall_fy[w] + wall->fy) * wall->vy);
+            0.5 * world->dt *
+            ((ledger->wall_fx[w] + wall->fx) * (wall->vx + wall->belt * wall->ny) +
+             (ledger->wall_fy[w] + wall->fy) * (wall->vy - wall->belt * wall->nx)); /* of a belt, but for its corners */
     }
     for (int k = 0; k < 2 && world->cell.side[0] > 0; k++)
         ledger->work -=
@@ -218,7 +220,7 @@ tr_energy tr_ledger_read(const tr_world *world) {
             double v = d->vel[k] - flow[lane] * d->pos[k];
             if (d->inv[k] > 0) e.kinetic += 0.5 * v * (v / d->inv[k] + world->dt * d->force[k]);
         }
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < world->n_groups; k++) {
         const tr_group *g = &world->group[k];
         e.elastic_normal += in_overlaps(g);
         e.elastic_friction += in_springs(g, TR_FRICTION);

@@ -142,11 +142,12 @@ static void count_listed(const tr_world *world, int *z) {
     const tr_group *g = world->group;
     memset(z, 0, (size_t)world->disks.n * sizeof *z);
     for (int i = 0; i < g[0].n; i++) z[g[0].a[i]]++, z[g[0].b[i]]++;
-    for (int i = 0; i < g[1].n; i++) z[g[1].b[i]]++;
+    for (int k = 1; k < world->n_groups; k++)
+        for (int i = 0; i < g[k].n; i++) z[g[k].b[i]]++;
 }
 
 void tr_list_constants(tr_world *world, int *z) {
-    for (int k = 0; k < 2; k++)
+    for (int k = 0; k < world->n_groups; k++)
         for (int s = 0; s < TR_N_SLOTS; s++) {
             tr_group *g = &world->group[k];
             const tr_slot *slot = &g->slot[s];

@@ -80,7 +80,7 @@ static void step(tr_tile *tile, const tr_law_data *data) {
 }
 
 void tr_paths_attach(tr_world *world, tr_paths *paths) {
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < world->n_groups; k++) {
         tr_group *g = &world->group[k];
         g->paths_sink.paths = paths;
         g->in_order = true;

@@ -34,8 +34,8 @@ static void group_add_pass(tr_group *g, const char *name, tr_pass_run *run, cons
 
 /* The list of passes a scene asked for: what it leaves out is not there. */
 static void group_choose(tr_group *g, const tr_scene_contact *contact, bool normal_only, tr_shape shape, bool images) {
-    tr_group_free(g);
     g->shape = shape;
+    g->rolling_velocity = contact->rolling_velocity;
     g->n_pair = images ? 5 : 3;
     group_take(g, TR_NORMAL, tr_laws_normal[contact->normal.law], &contact->normal);
     group_take(g, TR_FRICTION, normal_only ? &tr_friction_none : tr_laws_friction[contact->friction.law],
@@ -46,16 +46,44 @@ static void group_choose(tr_group *g, const tr_scene_contact *contact, bool norm
     g->spins = friction->step || rolling->step;
 
     const tr_arms *arms = &tr_arms_rows[contact->arms];
-    group_add_pass(g, "kinematics", g->walls ? arms->wall : arms->pair, NULL);
+    group_add_pass(g, "kinematics", g->ends ? arms->edge : g->walls ? arms->wall : arms->pair, NULL);
     group_add_pass(g, "normal", g->slot[TR_NORMAL].law->step, &g->slot[TR_NORMAL]);
     if (friction->step) group_add_pass(g, "friction", friction->step, &g->slot[TR_FRICTION]);
-    tr_pass_run *velocity = tr_law_rolling_velocity(rolling, contact->rolling_velocity);
+    tr_pass_run *velocity = tr_law_rolling_velocity(rolling, g->rolling_velocity);
     if (velocity) group_add_pass(g, "rolling velocity", velocity, NULL);
     if (rolling->step) group_add_pass(g, "rolling", rolling->step, &g->slot[TR_ROLLING]);
     g->shared_arms = contact->arms == 0;
     tr_pass_run *pulls = g->shared_arms ? tr_resultant_rolling_force : tr_resultant_rolling_apart;
     tr_pass_run *torques = rolling->needs & TR_GIVES_F_R ? pulls : tr_resultant_full;
     group_add_pass(g, "resultant", g->spins ? torques : tr_resultant_central, NULL);
+}
+
+static bool is_law_of(const tr_world *world, int w, const tr_scene_contact *laws) {
+    const tr_scene_contact *own = world->wall_laws[w];
+    return own == laws || (own && laws && memcmp(own, laws, sizeof *own) == 0); /* no byte of them is unset */
+}
+
+/* Walls of the same laws, with ends or without, share a group; the first is that of endless walls with the laws of disks. Finds how
+ * many groups there are, and the laws of each. */
+static bool sort_walls(tr_world *world, const tr_scene_contact *own[TR_MAX_GROUPS], tr_status *st) {
+    bool ends[TR_MAX_GROUPS] = {false};
+    int n = 2;
+    own[1] = NULL;
+    for (int w = 0; w < world->n_walls; w++) {
+        int k = 1;
+        while (k < n && !(ends[k] == world->wall[w].ends && is_law_of(world, w, own[k]))) k++;
+        if (k == TR_MAX_GROUPS)
+            return tr_status_fail(st, TR_BAD_CASE, "error: wall %d: walls have more than %d different laws", w,
+                                  TR_MAX_GROUPS - 2);
+        if (k == n) ends[n] = world->wall[w].ends, own[n++] = world->wall_laws[w];
+        world->wall_kind[w] = (unsigned char)(k - 1);
+    }
+    for (int k = 0; k < TR_MAX_GROUPS; k++) {
+        tr_group_free(&world->group[k]);
+        world->group[k].walls = k > 0, world->group[k].ends = ends[k];
+    }
+    world->n_groups = n;
+    return true;
 }
 
 bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool smooth_walls, unsigned sinks,
@@ -78,9 +106,11 @@ bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool sm
     free(world->ledger);
     world->ledger = NULL;
     if (sinks & TR_SINK_LEDGER && !(world->ledger = tr_alloc(1, sizeof *world->ledger, st))) return false;
-    for (int k = 0; k < 2; k++) {
+    const tr_scene_contact *own[TR_MAX_GROUPS] = {NULL};
+    if (!sort_walls(world, own, st)) return false;
+    for (int k = 0; k < world->n_groups; k++) {
         tr_group *g = &world->group[k];
-        group_choose(g, contact, g->walls && smooth_walls, world->shape,
+        group_choose(g, own[k] ? own[k] : contact, g->walls && smooth_walls, world->shape,
                      !g->walls && world->cell.side[0] > 0);
         if (sinks & TR_SINK_LEDGER) tr_ledger_attach(g, world->ledger);
         if (sinks & TR_SINK_ARCS) tr_arcs_attach(g);

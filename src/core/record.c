@@ -76,7 +76,7 @@ static void collect(void *context, tr_group *g, tr_tile *tile) {
         tr_sliding_velocities[v].step(tile, NULL);
         for (int j = 0; j < n; j++) out[j].v_s_by[v] = tile->v_s[kept[j]];
     }
-    for (int j = 0; j < n; j++) out[j].v_r = out[j].v_r_by[c->world->rolling_velocity];
+    for (int j = 0; j < n; j++) out[j].v_r = out[j].v_r_by[g->rolling_velocity];
     c->n += n;
 }
 
@@ -84,7 +84,7 @@ static void collect(void *context, tr_group *g, tr_tile *tile) {
  * law needs them, so sliding and rolling velocities are there for frictionless scenes too. */
 int tr_record_all(tr_world *world, tr_record **records, int *capacity, tr_status *st) {
     collector c = {world, records, 0, capacity, st};
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < world->n_groups; k++) {
         tr_group *g = &world->group[k];
         int n_pass = g->n_pass;
         while (g->n_pass > 0 && g->pass[g->n_pass - 1].sink) g->n_pass--;

@@ -3,6 +3,7 @@
 #include "base/math.h"
 
 #include "core/timestep.h"
+#include "core/wall.h"
 #include <math.h>
 #include <stdio.h>
 
@@ -34,7 +35,7 @@ static run run_of(const tr_bodies *b, bool start) {
     for (int k = 0; k < w->n_walls; k++) {
         const tr_wall *wall = &w->wall[k];
         double into = g[0] * wall->nx + g[1] * wall->ny;
-        if (into < 0) g[0] -= into * wall->nx, g[1] -= into * wall->ny;
+        if (into < 0 && !wall->ends) g[0] -= into * wall->nx, g[1] -= into * wall->ny;
     }
     return r;
 }
@@ -76,12 +77,13 @@ static pair wall_pair(const run *r, int wall, int i) {
     const tr_wall *w = &r->b->world.wall[wall];
     const double *q = r->b->world.disks.pos + 4 * (size_t)i;
     pair p = {.a = -1 - wall, .b = i, .R2 = q[3], .gap = tr_wall_distance(w, q) - q[3]};
+    tr_wall_touch touch = tr_wall_nearest(w, q);
     double v[3], one[2], two[2];
     tr_bodies_velocity(&r->b->world, i, v);
     disk_reach(r, i, two);
     wall_reach(r, wall, one);
-    p.velocity = fabs((v[0] - w->vx) * w->nx + (v[1] - w->vy) * w->ny);
-    p.reach = fmax(fabs(w->nx) * fmax(one[0], two[0]), fabs(w->ny) * fmax(one[1], two[1]));
+    p.velocity = fabs((v[0] - w->vx) * touch.nx + (v[1] - w->vy) * touch.ny);
+    p.reach = fmax(fabs(touch.nx) * fmax(one[0], two[0]), fabs(touch.ny) * fmax(one[1], two[1]));
     return p;
 }
 
@@ -111,7 +113,7 @@ static bool loads(const run *r, const pair *p, double *weight, double *energy) {
 
 /* Whether the pair gets to an overlap as large as that. */
 static bool gets_to(const tr_bodies *b, const pair *p, double overlap, double weight, double energy) {
-    const tr_slot *normal = &b->world.group[p->a < 0].slot[TR_NORMAL];
+    const tr_slot *normal = &tr_world_group(&b->world, p->a)->slot[TR_NORMAL];
     if (p->gap <= -overlap) return true;
     if (overlap > TR_LARGEST_OVERLAP * smaller(p)) return false;
     if (p->gap > -4 * spacing(p->reach) && weight == 0 && energy == 0) /* 0, to rounding */
@@ -191,7 +193,7 @@ bool tr_resolution_biaxial(const tr_biaxial *b, tr_resolution *found) {
 double tr_resolution_force(const tr_bodies *b, int a, int disk) {
     const run r = run_of(b, false);
     const pair p = pair_of(&r, a, disk);
-    const tr_slot *normal = &b->world.group[a < 0].slot[TR_NORMAL];
+    const tr_slot *normal = &tr_world_group(&b->world, a)->slot[TR_NORMAL];
     double weight, energy;
     bool meet = loads(&r, &p, &weight, &energy), known = p.gap < -4 * spacing(p.reach) || weight > 0 || energy > 0;
     if (!meet || !known) return 0;

@@ -50,7 +50,7 @@ bool tr_step_forces(tr_world *world, tr_status *st) {
     } else {
         group_forces(world, &world->group[0], dt);
     }
-    group_forces(world, &world->group[1], dt);
+    for (int k = 1; k < world->n_groups; k++) group_forces(world, &world->group[k], dt);
     world->fresh = false;
     return true;
 }
@@ -93,7 +93,7 @@ static void move_walls(tr_world *world) {
             wall->vx += world->dt * wall->gain * wall->nx, wall->vy += world->dt * wall->gain * wall->ny;
         }
         wall->x += world->dt * wall->vx, wall->y += world->dt * wall->vy;
-        fastest = fmax(fastest, fabs(wall->vx * wall->nx + wall->vy * wall->ny));
+        fastest = fmax(fastest, wall->ends ? hypot(wall->vx, wall->vy) : fabs(wall->vx * wall->nx + wall->vy * wall->ny));
     }
     if (!world->boxed) world->wall_moved += world->dt * fastest;
 }

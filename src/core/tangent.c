@@ -2,6 +2,7 @@
 #include "core/tangent.h"
 #include "base/math.h"
 
+#include "core/wall.h"
 #include <math.h>
 
 /* Of the smaller radius. Overlaps below are of rounding: 30 mm - 20 mm - 10 mm is 3e-18 m. Gaps below are of rounded
@@ -20,7 +21,8 @@ static pair pair_of(const tr_world *w, int a, int b) {
     const double *q = w->disks.pos + 4 * (size_t)b;
     if (a < 0) {
         const tr_wall *wall = &w->wall[-1 - a];
-        return (pair){a, b, 0, q[3], wall->nx, wall->ny, tr_wall_distance(wall, q) - q[3]};
+        tr_wall_touch touch = tr_wall_nearest(wall, q);
+        return (pair){a, b, 0, q[3], touch.nx, touch.ny, touch.distance - q[3]};
     }
     const double *p = w->disks.pos + 4 * (size_t)a, dx = q[0] - p[0], dy = q[1] - p[1], L = sqrt(dx * dx + dy * dy);
     return (pair){a, b, p[3], q[3], dx / L, dy / L, L - p[3] - q[3]};
@@ -71,7 +73,7 @@ static void motion_of(const tr_bodies *b, const pair *p, double *across, double 
         tr_bodies_velocity(&b->world, p->a, v1);
     } else {
         const tr_wall *wall = &b->world.wall[-1 - p->a];
-        v1[0] = wall->vx, v1[1] = wall->vy, v1[2] = 0;
+        v1[0] = wall->vx + wall->belt * p->ny, v1[1] = wall->vy - wall->belt * p->nx, v1[2] = 0;
     }
     double dvx = v2[0] - v1[0], dvy = v2[1] - v1[1];
     *along = dvx * p->nx + dvy * p->ny, *across = dvx * p->ny - dvy * p->nx;
@@ -81,7 +83,7 @@ static void motion_of(const tr_bodies *b, const pair *p, double *across, double 
 /* What is to be done about it: which disk to move along the normal, and where to. */
 static tr_tangent describe(const tr_bodies *b, const pair *p, double weight) {
     const tr_world *w = &b->world;
-    const tr_slot *normal = &w->group[p->a < 0].slot[TR_NORMAL];
+    const tr_slot *normal = &tr_world_group(w, p->a)->slot[TR_NORMAL];
     tr_tangent t = {.a = p->a, .b = p->b, .gap = p->gap, .weight = weight > 0, .force = weight};
     t.overlap = TR_TINY_OVERLAP * smaller(p);
     if (t.weight)
@@ -104,7 +106,7 @@ static bool is_tangent(const tr_bodies *b, const pair *p, double *weight) {
     if (fabs(along) > SMALL * fabs(across)) return false; /* they meet, or part */
     *weight = weight_on(b, p);
     if (*weight > 0) {
-        const tr_slot *normal = &w->group[p->a < 0].slot[TR_NORMAL];
+        const tr_slot *normal = &tr_world_group(w, p->a)->slot[TR_NORMAL];
         double needs = normal->law->overlap(normal->par, p->R1, p->R2, *weight);
         return p->gap > -LITTLE * needs &&
                p->gap < fmax(needs, ROUNDED * R); /* to fall from no higher than that is not meant */

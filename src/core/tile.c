@@ -3,6 +3,7 @@
 
 #include "base/vector.h"
 #include "core/cell.h"
+#include "core/wall.h"
 #include <string.h>
 
 /* ---- gather: from the bodies to the tile ---- */
@@ -56,15 +57,33 @@ static int same_wall(const tr_tile *tile, const tr_group *g, int i) {
 TR_VECTOR static void gather_walls(tr_tile *restrict tile, const tr_group *g, const tr_disks *d, const tr_wall *wall) {
     for (int i = 0, end; i < tile->n; i = end) {
         const tr_wall w = wall[g->a[tile->first + i]];
+        const double vx = w.vx + w.belt * w.ny, vy = w.vy - w.belt * w.nx; /* of its surface */
         end = same_wall(tile, g, i);
         for (int k = i; k < end; k++) {
             size_t at = 4 * (size_t)g->b[tile->first + k];
             const double *q = d->pos + at, *v = d->vel + at;
             tile->nx[k] = w.nx, tile->ny[k] = w.ny;
-            tile->dx[k] = tr_wall_distance(&w, q);
-            tile->dvx[k] = v[0] - w.vx, tile->dvy[k] = v[1] - w.vy;
+            tile->dx[k] = tr_wall_height(&w, q);
+            tile->dvx[k] = v[0] - vx, tile->dvy[k] = v[1] - vy;
             tile->w1[k] = 0, tile->w2[k] = v[2];
         }
+    }
+}
+
+/* Of walls with ends; g1 tells a face, 1, from a corner, 0. A corner that is another wall's touches nothing. */
+static void gather_edges(tr_tile *tile, const tr_group *g, const tr_world *world) {
+    for (int i = 0; i < tile->n; i++) {
+        int contact = tile->first + i, number = g->a[contact];
+        size_t at = 4 * (size_t)g->b[contact];
+        const double *q = world->disks.pos + at, *v = world->disks.vel + at;
+        const tr_wall *w = &world->wall[number];
+        tr_wall_touch touch = tr_wall_nearest(w, q);
+        bool taken = touch.corner && tr_wall_taken(world, number, q);
+        tile->nx[i] = touch.nx, tile->ny[i] = touch.ny;
+        tile->dx[i] = taken ? 2 * q[3] : touch.distance;
+        tile->dvx[i] = v[0] - w->vx - w->belt * touch.ny, tile->dvy[i] = v[1] - w->vy + w->belt * touch.nx;
+        tile->w1[i] = 0, tile->w2[i] = v[2];
+        g->pair[2][contact] = touch.corner ? 0 : 1;
     }
 }
 
@@ -99,7 +118,9 @@ void tr_tile_gather(const tr_world *world, const tr_group *g, tr_tile *tile, int
     tile->first = first;
     tile->n = g->n - first < TR_TILE ? g->n - first : TR_TILE;
     tile->R1 = g->pair[0] + first, tile->R2 = g->pair[1] + first, tile->g1 = g->pair[2] + first;
-    if (g->walls)
+    if (g->ends)
+        gather_edges(tile, g, world);
+    else if (g->walls)
         gather_walls(tile, g, &world->disks, world->wall);
     else
         gather_disks(tile, g, &world->disks);

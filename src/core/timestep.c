@@ -3,6 +3,7 @@
 #include "base/math.h"
 
 #include "core/cell.h"
+#include "core/wall.h"
 #include <math.h>
 #include <string.h>
 
@@ -59,8 +60,8 @@ static double tangential_limit(const tr_pair_bodies *bodies, share one, share tw
     return mode_limit(larger(&t, f.k, r.k), larger(&t, f.c, r.c));
 }
 
-/* bodies.delta: the overlap to expect. rolling_velocity: the scene's. */
-static double contact_limit(const tr_group *g, int rolling_velocity, tr_pair_bodies bodies, share one, share two) {
+/* bodies.delta: the overlap to expect. */
+static double contact_limit(const tr_group *g, tr_pair_bodies bodies, share one, share two) {
     const tr_slot *spring = &g->slot[TR_NORMAL], *friction = &g->slot[TR_FRICTION], *rolling = &g->slot[TR_ROLLING];
     tr_elastic there = spring->law->elastic(spring->par, bodies.R1, bodies.R2, bodies.delta);
     bodies.f_n = there.force, bodies.k_n = there.stiffness;
@@ -71,7 +72,7 @@ static double contact_limit(const tr_group *g, int rolling_velocity, tr_pair_bod
     if (friction->law->step) f = friction->law->stiffness(friction->par, &bodies);
     double p1[CASES] = {0}, p2[CASES] = {0};
     int cases = rolling->law->needs & TR_NEEDS_PARTIALS
-                    ? cases_of(&tr_rolling_velocities[rolling_velocity], &bodies, p1, p2)
+                    ? cases_of(&tr_rolling_velocities[g->rolling_velocity], &bodies, p1, p2)
                     : 1;
     for (int k = 0; k < cases; k++) {
         bodies.p1 = p1[k], bodies.p2 = p2[k];
@@ -93,7 +94,7 @@ tr_timestep_limit tr_timestep_contacts(const tr_world *world) {
     const tr_disks *d = &world->disks;
     int wall_z[TR_MAX_WALLS] = {0}, *z = d->coordination;
     memset(z, 0, (size_t)d->n * sizeof *z);
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < world->n_groups; k++) {
         const tr_group *g = &world->group[k];
         for (int i = 0; i < g->n; i++) {
             if (!(overlap(world, g, i) > 0)) continue;
@@ -104,7 +105,7 @@ tr_timestep_limit tr_timestep_contacts(const tr_world *world) {
                 z[g->a[i]]++;
         }
     }
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < world->n_groups; k++) {
         const tr_group *g = &world->group[k];
         for (int i = 0; i < g->n; i++) {
             if (!(overlap(world, g, i) > 0)) continue;
@@ -115,7 +116,7 @@ tr_timestep_limit tr_timestep_contacts(const tr_world *world) {
             share two = {z[b] * d->inv[4 * b], z[b] * d->inv[4 * b + 2]};
             share one = {wall->mass > 0 ? wall_z[a < TR_MAX_WALLS ? a : 0] / wall->mass : 0, 0};
             if (!g->walls) one = (share){z[a] * d->inv[4 * a], z[a] * d->inv[4 * a + 2]};
-            double dt = contact_limit(g, world->rolling_velocity, bodies, one, two);
+            double dt = contact_limit(g, bodies, one, two);
             if (dt < limit.dt) limit = (tr_timestep_limit){dt, k, i};
         }
     }
@@ -148,15 +149,22 @@ static share share_of(const tr_world *world, int i, const packings *p) {
 static double pair_limit(const tr_world *world, int i, int j, const packings *p) {
     tr_pair_bodies bodies = tr_world_pair(world, &world->group[0], i, j);
     bodies.delta = p->overlap * fmin(bodies.R1, bodies.R2);
-    return contact_limit(&world->group[0], world->rolling_velocity, bodies, share_of(world, i, p),
-                         share_of(world, j, p));
+    return contact_limit(&world->group[0], bodies, share_of(world, i, p), share_of(world, j, p));
 }
 
-/* wall: the share of the wall that disk i touches. */
-static double wall_limit(const tr_world *world, int i, share wall, const packings *p) {
-    tr_pair_bodies bodies = tr_world_pair(world, &world->group[1], 0, i);
+/* wall: the share of the wall that disk i touches, of those of one group. */
+static double wall_limit(const tr_world *world, const tr_group *g, int i, share wall, const packings *p) {
+    tr_pair_bodies bodies = tr_world_pair(world, g, 0, i);
     bodies.delta = p->overlap * bodies.R2;
-    return contact_limit(&world->group[1], world->rolling_velocity, bodies, wall, share_of(world, i, p));
+    return contact_limit(g, bodies, wall, share_of(world, i, p));
+}
+
+/* The least of all walls. */
+static double walls_limit(const tr_world *world, int i, share wall, const packings *p) {
+    double bound = INFINITY;
+    for (int k = world->n_walls ? 1 : TR_MAX_GROUPS; k < world->n_groups; k++)
+        bound = fmin(bound, wall_limit(world, &world->group[k], i, wall, p));
+    return bound;
 }
 
 static double smallest_radius(const tr_world *world, int *smallest, int *largest) {
@@ -192,7 +200,7 @@ static double all_limits(const tr_world *world, packings p, int few, share wall)
             bound = fmin(bound, pair_limit(world, i, largest, &p));
         }
         for (int j = i + 1; j < n && n <= few; j++) bound = fmin(bound, pair_limit(world, i, j, &p));
-        if (world->n_walls) bound = fmin(bound, wall_limit(world, i, wall, &p));
+        bound = fmin(bound, walls_limit(world, i, wall, &p));
     }
     return bound;
 }
@@ -228,7 +236,7 @@ bool tr_timestep_sure(tr_world *world) {
     for (int i = 0; i < g->n; i++) z[g->a[i]]++;
     for (int i = 0; i < g->n; i++) {
         double mass = world->wall[g->a[i]].mass;
-        if (mass > 0 && world->dt > wall_limit(world, g->b[i], (share){z[g->a[i]] / mass, 0}, &p)) return false;
+        if (mass > 0 && world->dt > wall_limit(world, g, g->b[i], (share){z[g->a[i]] / mass, 0}, &p)) return false;
     }
     return true;
 }

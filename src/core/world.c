@@ -9,7 +9,7 @@
 #include <stdlib.h>
 
 bool tr_world_init(tr_world *world, int n, tr_shape shape, tr_status *st) {
-    *world = (tr_world){.shape = shape, .disks.n = n, .group[1].walls = true, .stale = true, .alone_to = TR_FEW_DISKS};
+    *world = (tr_world){.shape = shape, .disks.n = n, .group[1].walls = true, .n_groups = 2, .stale = true, .alone_to = TR_FEW_DISKS};
     tr_disks *d = &world->disks;
     size_t lanes = (size_t)n * 4;
     world->broad = tr_broad_choose(n);
@@ -37,7 +37,7 @@ void tr_world_free(tr_world *world) {
     free(d->coordination);
     free(world->wide_ref), free(world->thin_ref), free(world->ledger), free(world->tile), free(world->picked);
     tr_shares_free(world->shares), tr_threads_free(world->threads);
-    tr_group_free(&world->group[0]), tr_group_free(&world->group[1]);
+    for (int k = 0; k < world->n_groups; k++) tr_group_free(&world->group[k]);
     if (world->finder) world->broad->destroy(world->finder);
     tr_pairs_free(&world->near);
     *world = (tr_world){0};
@@ -110,7 +110,7 @@ size_t tr_world_bytes(const tr_world *world) {
         sizeof *world + sizeof *world->tile + (size_t)world->disks.n * ((4 * 4 + 2 + 4) * sizeof(double) + sizeof(int));
     if (world->ledger) bytes += sizeof *world->ledger;
     if (world->disks.load) bytes += (size_t)world->disks.n * 4 * sizeof(double);
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < world->n_groups; k++) {
         const tr_group *g = &world->group[k];
         bytes += (size_t)g->capacity * (5 * sizeof(int) + (size_t)(1 + g->n_hist + g->n_pair) * sizeof(double));
     }
@@ -120,7 +120,7 @@ size_t tr_world_bytes(const tr_world *world) {
 
 int tr_world_histories(const tr_world *world) {
     int arrays = 0;
-    for (int k = 0; k < 2; k++)
+    for (int k = 0; k < world->n_groups; k++)
         for (int h = 0; h < TR_GROUP_HIST; h++) arrays += world->group[k].hist[h] != NULL;
     return arrays;
 }

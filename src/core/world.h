@@ -36,6 +36,7 @@
 enum {
     TR_MAX_PASSES = 9,
     TR_MAX_WALLS = 128,
+    TR_MAX_GROUPS = 12, /* disks; walls; walls with laws of their own, or with ends */
     TR_MAX_VELOCITY_MEASURES = 8,
     TR_GROUP_HIST = 3 * TR_MAX_HIST + 32, /* laws of three slots, and the sinks, which have 25 in all */
     TR_GROUP_PAIR = 5 + 3 * TR_MAX_PAIR /* R1, R2, g1, the image of b in a periodic cell, and the laws of three slots */
@@ -52,7 +53,8 @@ typedef struct tr_disks {
     int *coordination;               /* n: touching contacts of each, right after tr_timestep_contacts */
 } tr_disks;
 
-/* A rigid plane through (x, y); the disks are on the side of its unit normal. It does not rotate. */
+/* A rigid plane through (x, y); the disks are on the side of its unit normal. It does not rotate. With ends it is a thin
+ * plate, see wall.h. */
 typedef struct tr_wall {
     double x, y, nx, ny; /* [m] */
     double vx, vy;       /* [m/s] */
@@ -62,6 +64,9 @@ typedef struct tr_wall {
     double v_max;        /* speed limit of a piston [m/s] */
     double fx, fy;       /* force of the disks on the wall [N/m] */
     double length;       /* [m] stress = force/length; 0: endless */
+    bool ends;           /* it ends at `from` and `to` */
+    double from, to;     /* along t = n x k from (x, y), infinite where there is no end [m] */
+    double belt;         /* speed of its surface along t [m/s] */
 } tr_wall;
 
 /* A periodic cell, a rectangle about the origin; index 0 along x, 1 along y. Of its pair of edges across an axis what a
@@ -112,9 +117,11 @@ typedef struct tr_pass {
     tr_law_data data;
 } tr_pass;
 
-/* Contacts that share a pipeline. In the group of walls, a is the number of a wall. */
+/* Contacts that share a pipeline. In a group of walls, a is the number of a wall. */
 struct tr_group {
     bool walls;
+    bool ends; /* of walls that have ends */
+    int rolling_velocity; /* index into tr_rolling_velocities */
     tr_shape shape;
     bool spins;    /* friction or rolling: spins are gathered and torques scattered */
     bool shared_arms; /* of friction, too: row 0 of tr_arms_rows */
@@ -163,9 +170,13 @@ typedef struct tr_world {
     int n_walls;
     bool boxed;            /* the walls are those of a box */
     tr_periodic_cell cell; /* set before the laws */
-    int rolling_velocity;  /* index into tr_rolling_velocities */
+    int rolling_velocity;  /* of two disks; index into tr_rolling_velocities */
     int arms;              /* index into tr_arms_rows */
-    tr_group group[2];     /* disk-disk, wall-disk */
+    /* Laws of a wall of its own, set before the laws; they must outlive the world. NULL: those of two disks. */
+    const tr_scene_contact *wall_laws[TR_MAX_WALLS];
+    unsigned char wall_kind[TR_MAX_WALLS]; /* wall w is in group[1 + wall_kind[w]] */
+    tr_group group[TR_MAX_GROUPS];         /* disk-disk; wall-disk; then what there is of other walls */
+    int n_groups;
     tr_ledger *ledger;     /* NULL: not kept */
     tr_tile *tile;         /* one, reused; allocated apart because its lanes are aligned */
     tr_threads *threads;   /* that share the work; NULL: one does it. See base/threads.h */
@@ -209,9 +220,9 @@ void tr_group_attach(tr_group *group, tr_sink *sink, const char *name, tr_pass_r
 /* Frees the arrays of a group. It then has no pipeline. */
 void tr_group_free(tr_group *group);
 
-/* Distance of a disk's centre from a wall [m]. */
-static inline double tr_wall_distance(const tr_wall *wall, const double *pos) {
-    return (pos[0] - wall->x) * wall->nx + (pos[1] - wall->y) * wall->ny;
+/* The group of a contact with a < 0: wall -1-a, else of two disks. */
+static inline const tr_group *tr_world_group(const tr_world *world, int a) {
+    return a < 0 ? &world->group[1 + world->wall_kind[-1 - a]] : &world->group[0];
 }
 
 /* Two bodies of a group, a wall and a disk in that of walls, infinitely heavy where their motion is given. Their overlap is

@@ -103,6 +103,26 @@ INLINE void move_wall(tr_tile *restrict tile, wall_arm *of) {
     tile->touching = touching;
 }
 
+/* A wall with ends: g1 = 1 on its face; g1 = 0 at a corner, a body of radius 0, so that r2 = L whatever the arms, s1 = 0 and
+ * the branch vector turns. dx: L, distance from the nearest point. */
+INLINE void move_edge(tr_tile *restrict tile, wall_arm *of) {
+    const double *restrict R2 = tile->R2, *restrict g1 = tile->g1;
+    int touching = 0;
+    for (int i = 0; i < tile->n; i++) {
+        double nx = tile->nx[i], ny = tile->ny[i], dvx = tile->dvx[i], dvy = tile->dvy[i], L = tile->dx[i];
+        double Vt = dvx * ny - dvy * nx, corner = 1 - g1[i], betadot = L > 0 ? -corner * Vt / L : 0;
+        double delta = R2[i] - L, w2 = tile->w2[i], r2 = g1[i] * of(R2[i], delta) + corner * L;
+        touching += delta > 0;
+        tile->delta[i] = delta;
+        tile->r1[i] = 0, tile->r2[i] = r2;
+        tile->v_n[i] = -(dvx * nx + dvy * ny);
+        tile->v_s[i] = Vt + r2 * w2;
+        tile->s1[i] = g1[i] * Vt;
+        tile->s2[i] = R2[i] * (betadot - w2);
+    }
+    tile->touching = touching;
+}
+
 /* Arms alone, after either of the above; L is r1 + r2, of any arms of a scene. */
 INLINE void set_arms(tr_tile *restrict tile, arms_of *of, wall_arm *of_wall) {
     for (int i = 0; i < tile->n; i++) {
@@ -119,11 +139,17 @@ TR_VECTOR void tr_kinematics_pair(tr_tile *restrict tile, const tr_law_data *dat
 TR_VECTOR void tr_kinematics_wall(tr_tile *restrict tile, const tr_law_data *data) {
     (void)data, move_wall(tile, shared_wall);
 }
+TR_VECTOR static void edge(tr_tile *restrict tile, const tr_law_data *data) {
+    (void)data, move_edge(tile, shared_wall);
+}
 TR_VECTOR static void midpoint_pair(tr_tile *restrict tile, const tr_law_data *data) {
     (void)data, move_pair(tile, midpoint);
 }
 TR_VECTOR static void midpoint_at_wall(tr_tile *restrict tile, const tr_law_data *data) {
     (void)data, move_wall(tile, midpoint_wall);
+}
+TR_VECTOR static void midpoint_at_edge(tr_tile *restrict tile, const tr_law_data *data) {
+    (void)data, move_edge(tile, midpoint_wall);
 }
 static void shared_arms(tr_tile *restrict tile, const tr_law_data *data) {
     (void)data, set_arms(tile, shared, shared_wall);
@@ -141,17 +167,17 @@ enum { ALL = TR_ARMS_OBJECTIVE | TR_ARMS_BALANCED | TR_ARMS_CONJUGATE };
 
 #define IN_SCENES(X)                                                                                                   \
     X("shared", "wang", ALL, "[Wang2015 eq. 12] mended", "R_i |X21|/(R1+R2), at a wall R2", shared_arms,               \
-      tr_kinematics_pair, tr_kinematics_wall)                                                                          \
+      tr_kinematics_pair, tr_kinematics_wall, edge)                                                                    \
     X("midpoint", "midpoint", ALL, "[Luding2008]; LIGGGHTS 3.8.0", "R_i - delta/2, at a wall R2 - delta",              \
-      midpoint_arms, midpoint_pair, midpoint_at_wall)
+      midpoint_arms, midpoint_pair, midpoint_at_wall, midpoint_at_edge)
 #define ONLY_MEASURED(X)                                                                                               \
-    X("full", "full-radius", TR_ARMS_CONJUGATE, "[Wang2015 eq. 12]", "R_i", full_arms, NULL, NULL)                     \
+    X("full", "full-radius", TR_ARMS_CONJUGATE, "[Wang2015 eq. 12]", "R_i", full_arms, NULL, NULL, NULL)               \
     X("full-midpoint", "full-radius", TR_ARMS_BALANCED, "LAMMPS 29Sep2021", "velocity R_i, torque R_i - delta/2",      \
-      midpoint_arms, NULL, NULL)                                                                                       \
+      midpoint_arms, NULL, NULL, NULL)                                                                                 \
     X("stretched-midpoint", "alonso", TR_ARMS_OBJECTIVE | TR_ARMS_BALANCED, "YADE 2023.02a",                           \
-      "velocity s1-s2, torque R_i - delta/2", midpoint_arms, NULL, NULL)
-#define ROW(name, sliding, claims, source, formula, arms, pair, wall)                                                  \
-    {name, sliding, source, formula, claims, arms, pair, wall},
+      "velocity s1-s2, torque R_i - delta/2", midpoint_arms, NULL, NULL, NULL)
+#define ROW(name, sliding, claims, source, formula, arms, pair, wall, edge)                                            \
+    {name, sliding, source, formula, claims, arms, pair, wall, edge},
 #define ONE(...) +1
 #define CHOICE(name, ...) "|" name
 

@@ -80,13 +80,14 @@ static void add_by_shape(json_t *object, tr_shape shape, const char *key, double
 
 /* The passes that ran, and what the scene did not need and so was not built. */
 static void add_pipeline(json_t *o, const tr_world *world) {
-    static const char *const group_names[] = {"disk_disk", "wall_disk"};
     json_t *passes = json_object(), *out = json_array();
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < world->n_groups; k++) {
+        char group[32];
+        snprintf(group, sizeof group, k == 0 ? "disk_disk" : k == 1 ? "wall_disk" : "wall_disk_%d", k);
         json_t *names = json_array();
         for (int p = 0; p < world->group[k].n_pass; p++)
             json_array_append_new(names, json_string(world->group[k].pass[p].name));
-        json_object_set_new(passes, group_names[k], names);
+        json_object_set_new(passes, group, names);
     }
     json_object_set_new(o, "passes", passes);
     json_object_set_new(o, "pair_finding", json_string(world->broad->name));

@@ -247,9 +247,42 @@ static bool check_check(const checker *c, const tr_scope *s) {
     return check_picks(c, s, "contact", &check->contact);
 }
 
+/* Two walls in one line, one of them with ends, may lie one on the other: a disk would touch both. Walls before this
+ * one have their normals made. */
+static bool check_apart(const checker *c, const tr_scope *s) {
+    const tr_scene_wall *w = &c->scene->walls[s->item];
+    for (int i = 0; i < s->item; i++) {
+        const tr_scene_wall *v = &c->scene->walls[i];
+        double dx = w->x - v->x, dy = w->y - v->y, same = w->nx * v->nx + w->ny * v->ny < 0 ? -1 : 1;
+        double first = dx * v->ny - dy * v->nx, least = fmin(same * w->from, same * w->to) + first,
+               most = fmax(same * w->from, same * w->to) + first, low = fmax(v->from, least), high = fmin(v->to, most);
+        bool ends = fmin(fmin(fabs(w->from), fabs(w->to)), fmin(fabs(v->from), fabs(v->to))) < TR_ENDLESS;
+        bool in_line = fabs(w->nx * v->ny - w->ny * v->nx) < 1e-9 && fabs(dx * v->nx + dy * v->ny) < 1e-9;
+        if (ends && in_line && high - low > 1e-9)
+            return tr_text_fail(c->r->st, s->mark,
+                                "`walls.%d` lies on `walls.%d` over %.3g m: a disk there would touch both; let one end "
+                                "where the other begins",
+                                s->item, i, high - low);
+    }
+    return true;
+}
+
+/* A normal that is already 1 long to rounding stays as it is: what was written reads back bit for bit. */
+static bool check_wall(const checker *c, const tr_scope *s) {
+    tr_scene_wall *wall = &c->scene->walls[s->item];
+    double length = tr_hypot(wall->nx, wall->ny);
+    if (length < 1e-9) return tr_text_fail(c->r->st, s->mark, "the normal (nx, ny) of `walls.%d` is zero", s->item);
+    if (fabs(length - 1) > 4 * DBL_EPSILON) wall->nx /= length, wall->ny /= length;
+    if (!(wall->to > wall->from))
+        return tr_text_fail(c->r->st, mark_in(s, tr_tree_find(s->node, "to") ? "to" : "from"),
+                            "`walls.%d` has no length: it begins at `from`, %.9g m, and ends at `to`, %.9g m", s->item,
+                            wall->from, wall->to);
+    return check_apart(c, s);
+}
+
 /* A mapping in an item. */
 static bool check_inner(const checker *c, const tr_scope *s) {
-    if (strcmp(s->sub, "pull") != 0) return true;
+    if (strcmp(s->sub, "contact") == 0) return check_laws(c, s, &c->scene->walls[s->item].contact);
     const tr_scene_disk *d = &c->scene->disks[s->item];
     if (d->motion == TR_FREE || d->motion == TR_PINNED || d->motion == TR_DRIVEN) return true;
     return tr_text_fail(c->r->st, mark_in(s, "force"),
@@ -278,12 +311,7 @@ bool tr_check_together(const tr_resolver *r, tr_scene *scene) {
             return tr_text_fail(c->r->st, tr_resolve_entry(s, "r_min")->node->key_mark,
                                 "`sample.r_min` is %.9g m, more than `sample.r_max`, which is %.9g m", sample->r_min,
                                 sample->r_max);
-        if (strcmp(s->section, "walls") != 0) continue;
-        /* A normal that is already 1 long to rounding stays as it is: what was written reads back bit for bit. */
-        tr_scene_wall *wall = &c->scene->walls[s->item];
-        double length = tr_hypot(wall->nx, wall->ny);
-        if (length < 1e-9) return tr_text_fail(c->r->st, s->mark, "the normal (nx, ny) of `walls.%d` is zero", s->item);
-        if (fabs(length - 1) > 4 * DBL_EPSILON) wall->nx /= length, wall->ny /= length;
+        if (strcmp(s->section, "walls") == 0 && !check_wall(c, s)) return false;
     }
     return true;
 }

@@ -128,11 +128,17 @@ typedef struct tr_scene_disk {
     tr_scene_pull pull;
 } tr_scene_disk;
 
-/* A rigid plane through (x, y); (nx, ny) points to the side where the disks are (normalised on reading). */
+/* A rigid plane through (x, y), or a part of one; (nx, ny) points to the side where the disks are (normalised on reading). */
 typedef struct tr_scene_wall {
     double x, y, nx, ny;
     double vx, vy;
+    double from, to; /* its ends along t = n x k from (x, y) [m]; none where |.| is TR_ENDLESS, or both are 0 */
+    double belt;     /* speed of its surface along t [m/s] */
+    bool own;        /* it has laws of its own: */
+    tr_scene_contact contact;
 } tr_scene_wall;
+
+#define TR_ENDLESS 1e6 /* [m] */
 
 /* Two bodies in contact, of one material. */
 typedef struct tr_scene_pair {

@@ -238,6 +238,12 @@ static const tr_param wall[] = {
     {"ny", TR_REAL, TR_DIM_NUMBER, "1", NULL, -1e6, 1e6, NULL, AT(ny), "normal, to the side of the disks; any length"},
     {"vx", TR_REAL, TR_DIM_SPEED, "m/s", "0", -1e6, 1e6, NULL, AT(vx), "velocity"},
     {"vy", TR_REAL, TR_DIM_SPEED, "m/s", "0", -1e6, 1e6, NULL, AT(vy), "velocity"},
+    {"from", TR_REAL, TR_DIM_LENGTH, "m", "-1e6", -TR_ENDLESS, TR_ENDLESS, NULL, AT(from),
+     "where it begins, from (x, y) along the wall, to the right where the normal points up; -1e6: endless"},
+    {"to", TR_REAL, TR_DIM_LENGTH, "m", "1e6", -TR_ENDLESS, TR_ENDLESS, NULL, AT(to),
+     "where it ends, likewise; 1e6: endless"},
+    {"belt", TR_REAL, TR_DIM_SPEED, "m/s", "0", -1e6, 1e6, NULL, AT(belt),
+     "speed of its surface from `from` to `to`: a conveyor belt, which stays where it is"},
 };
 #undef STRUCT
 
@@ -376,6 +382,9 @@ const tr_section tr_sections[] = {
     SECTION("pull", "a thread that is wound on a hub", TR_FOR_BODIES, pull, .inside = "disks",
             .offset = offsetof(tr_scene_disk, pull), .given = offsetof(tr_scene_disk, pull.given)),
     SECTION("walls", "rigid planes", TR_FOR_BODIES, wall, LIST(walls, n_walls, 0, 100)),
+    SECTION("contact", "laws of this wall; what it does not say is as in the root's", TR_FOR_BODIES, contact,
+            .inside = "walls", .offset = offsetof(tr_scene_wall, contact), .given = offsetof(tr_scene_wall, own),
+            .like = "contact", .first_slot = 1),
     CHECKS(TR_FOR_BODIES, check, 0),
     CHECKS(TR_FOR_BODIES, check_contact, 0 TR_WHATS(BIT_OF_CONTACT)),
     CHECKS(TR_FOR_BODIES, check_disk, 0 TR_WHATS(BIT_OF_DISK)),

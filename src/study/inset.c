@@ -18,7 +18,7 @@ static double value_of(const tr_group *g, const char *key) {
 bool tr_inset_open(tr_inset *inset, const tr_world *world, tr_scene_pick pick, tr_status *st) {
     *inset = (tr_inset){.pick = pick};
     if (world->shape != TR_SHAPE_DISK) return false;
-    const tr_group *g = &world->group[pick.a < 0];
+    const tr_group *g = tr_world_group(world, pick.a);
     tr_pair_bodies bodies = tr_world_pair(world, g, pick.a < 0 ? -1 - pick.a : pick.a, pick.b);
     inset->pair = (tr_patch_pair){.R_star = tr_law_R_star(bodies.R1, bodies.R2),
                                   .E_star = value_of(g, "E_star"),

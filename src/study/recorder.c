@@ -120,7 +120,7 @@ static bool write_all(tr_recorder *r, tr_status *st) {
     if (!r->rows++)
         fprintf(out, "time_s,life,a,b,R1_m,R2_m,du_slide_m,du_roll_m,P_%s,Q_%s,f_n_%s,branch_x_m,branch_y_m\n", force,
                 force, force);
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < r->world->n_groups; k++) {
         tr_group *g = &r->world->group[k];
         for (int i = 0; i < g->n; i++) {
             tr_path_life c;

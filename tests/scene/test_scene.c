@@ -227,7 +227,9 @@ static void fill(tr_scene *s, int n, tr_random *random) {
         if (i % 10 == 0) s->disks[i].pull = (tr_scene_pull){true, -u / 29, u / 31, -u / 37};
     }
     for (int i = 0; i < 100; i++)
-        s->walls[i] = (tr_scene_wall){.nx = tr_random_uniform(random) + 1e-9, .ny = -3 * sin(i)};
+        s->walls[i] = (tr_scene_wall){.nx = tr_random_uniform(random) + 1e-9, .ny = -3 * sin(i),
+                                      .from = i % 3 ? -TR_ENDLESS : -i / 7.0, .to = i % 2 ? TR_ENDLESS : 1 / 3.0,
+                                      .belt = -i / 11.0};
     for (int i = 0; i < 32; i++)
         s->checks[i] =
             (tr_scene_check){TR_POWER, .at = 0.1 / 3, .over = 0.1 / 7, .exact = -1 / 3.0, .tolerance = 1e-5 / 3};
