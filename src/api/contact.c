@@ -33,7 +33,7 @@ static bool check(const trundle_pair *p, tr_status *st) {
 /* The keys of `contact` and no others: a brace would end the mapping, a name of `disks` would mean a disk of the frame. */
 static bool check_laws(const char *laws, tr_status *st) {
     if (strpbrk(laws, "{}")) return tr_status_fail(st, TR_BAD_CASE, "error: laws: `{` and `}` are not allowed");
-    return !strstr(laws, "disks.") || tr_status_fail(st, TR_BAD_CASE, "error: laws: `disks` cannot be named here");
+    return !strstr(laws, "disks.") || tr_status_fail(st, TR_BAD_CASE, "error: laws: `disks` is not allowed here");
 }
 
 /* The closing braces stand on a line of their own, for the laws may end with a comment. */
@@ -142,7 +142,7 @@ int trundle_contact_step(trundle_contact *c, double dt, const trundle_body *one,
     if (tr_step_forces(&c->world, &st)) {
         *force = (trundle_force){on2[0], on2[1], c->plane ? 0 : d->force[2], on2[2]};
         if (!isfinite(force->fx) || !isfinite(force->fy) || !isfinite(force->torque1) || !isfinite(force->torque2)) {
-            tr_status_fail(&st, TR_NUMERICAL, "error: a force is not finite; the contact has forgotten its history");
+            tr_status_fail(&st, TR_NUMERICAL, "error: a force is not finite; the contact has lost its history");
             *force = (trundle_force){0};
             trundle_contact_reset(c);
         }

@@ -55,13 +55,13 @@ trundle_world *trundle_world_new(const trundle_scene *scene, trundle_error *erro
     if (w) w->scene = &scene->scene;
     bool ok = false;
     if (w && scene->scene.n_more)
-        tr_status_fail(&st, TR_BAD_CASE, "error: the case has several documents; a world is made of one");
+        tr_status_fail(&st, TR_BAD_CASE, "error: the case has several documents; a world needs a case of one");
     else if (w && scene->scene.kind == TR_KIND_BIAXIAL)
         ok = begin_biaxial(w, &st);
     else if (w && scene->scene.kind == TR_KIND_BODIES)
         ok = begin_bodies(w, &st);
     else if (w)
-        tr_status_fail(&st, TR_BAD_CASE, "error: a world is made of kind: bodies or kind: biaxial");
+        tr_status_fail(&st, TR_BAD_CASE, "error: a world needs kind: bodies or kind: biaxial");
     tr_api_tell(&st, error);
     if (ok) return w;
     trundle_world_free(w);

@@ -191,7 +191,7 @@ static bool check(tr_checkpoint *c, const char *path, bool *newer, tr_status *st
         return tr_status_fail(st, TR_FILE, "error: %s is not a checkpoint of trundle", path);
     *newer = c->size >= sizeof h && h.version > VERSION;
     if (*newer)
-        return tr_status_fail(st, TR_FILE, "error: %s is of version %llu, by a newer trundle; this one reads %d", path,
+        return tr_status_fail(st, TR_FILE, "error: %s has version %llu, from a newer trundle; this one reads %d", path,
                               (unsigned long long)h.version, VERSION);
     if (c->size < sizeof h + sizeof sum || c->size < h.size)
         return tr_status_fail(st, TR_FILE, "error: %s is cut short: %zu bytes of %llu", path, c->size,
@@ -224,9 +224,9 @@ static bool check_case(tr_checkpoint *c, const char *path, const char *ours) {
     if (same == n && !ours[same]) return c->at += sizeof r + n, true;
     int theirs = line_length(saved + line, n - line), other = line_length(ours + line, strlen(ours + line));
     if (theirs == other && !memcmp(saved + line, ours + line, (size_t)other)) /* they differ in a comment */
-        return tr_status_fail(c->st, TR_FILE, "error: %s is of another version of trundle", path);
-    return tr_status_fail(c->st, TR_FILE, "error: %s is of another case: it has `%.*s`, this one `%.*s`", path, theirs,
-                          saved + line, other, ours + line);
+        return tr_status_fail(c->st, TR_FILE, "error: %s is from another version of trundle", path);
+    return tr_status_fail(c->st, TR_FILE, "error: %s is from another case: it has `%.*s`, this case has `%.*s`", path,
+                          theirs, saved + line, other, ours + line);
 }
 
 bool tr_checkpoint_open(tr_checkpoint *c, const char *dir, const char *name, const char *resolved_case,
@@ -255,7 +255,7 @@ bool tr_checkpoint_open(tr_checkpoint *c, const char *dir, const char *name, con
 
 bool tr_checkpoint_close(tr_checkpoint *c) {
     if (!c->st->code && c->at != c->size)
-        tr_status_fail(c->st, TR_FILE, "error: the checkpoint is of another build: it has %.47s, this one has not",
+        tr_status_fail(c->st, TR_FILE, "error: the checkpoint is from another build: it has %.47s, this build does not",
                        next(c).name);
     free(c->bytes), c->bytes = NULL;
     return !c->st->code;

@@ -18,11 +18,11 @@ enum { SET = 1000, FEATURES, SIZES, PACKING, THREADS };
 
 static const struct argp_option options[] = {
     {"set", SET, "KEY=VALUE", 0, "override a key: --set sample.disks=10000", 0},
-    {"features", FEATURES, NULL, 0, "what each feature and each law costs, on the same packing", 0},
-    {"sizes", SIZES, "N", 0, "what a step costs with 100 to N disks (N from 100 to 1000000)", 0},
-    {"packing", PACKING, "DIR", 0, "write a packing there for LAMMPS, and shear it: see tests/bench/peers.sh", 0},
-    {"threads", THREADS, "N", 0, "share the work of more than 4000 disks (default: 1)", 0},
-    {"output", 'o', "OUT.csv", 0, "with --features or --sizes: also write the table there", 0},
+    {"features", FEATURES, NULL, 0, "cost of each feature and each law, on the same packing", 0},
+    {"sizes", SIZES, "N", 0, "time of a step with 100 to N disks (N from 100 to 1000000)", 0},
+    {"packing", PACKING, "DIR", 0, "write a packing for LAMMPS into DIR, and shear it: see tests/bench/peers.sh", 0},
+    {"threads", THREADS, "N", 0, "number of threads, for more than 4000 disks (default: 1)", 0},
+    {"output", 'o', "OUT.csv", 0, "with --features or --sizes: also write the table to OUT.csv", 0},
     {0},
 };
 
@@ -46,9 +46,9 @@ static error_t parse(int key, char *value, struct argp_state *state) {
     else if (key == ARGP_KEY_ARG)
         argp_error(state, "one case file at a time");
     else if (key == ARGP_KEY_END && a->out && !a->features && !a->largest)
-        argp_error(state, "-o is for --features and --sizes");
+        argp_error(state, "-o needs --features or --sizes");
     else if (key == ARGP_KEY_END && (a->features) + (a->largest > 0) + (a->packing != NULL) > 1)
-        argp_error(state, "one of --features, --sizes and --packing at a time");
+        argp_error(state, "only one of --features, --sizes and --packing at a time");
     else
         return ARGP_ERR_UNKNOWN;
     return 0;

@@ -142,11 +142,11 @@ static bool check(const table *t, tr_status *st) {
     double share = t->report[BARE].share.median;
     int unused = 0;
     for (int i = BARE; i < t->n; i++) unused += t->report[i].histories != declared(&t->scene[i]);
-    printf("%s: a bare scene takes %.2f of the time of the full one, at most %.2f\n",
+    printf("%s: a bare scene takes %.2f of the time of the full one, allowed %.2f\n",
            share <= BARE_AT_MOST ? "ok" : "FAILED", share, BARE_AT_MOST);
     printf("%s: no history array but those that the laws of the scene declare\n", unused ? "FAILED" : "ok");
     if (share <= BARE_AT_MOST && !unused) return true;
-    return tr_status_fail(st, TR_CHECK_FAILED, "error: what is left out costs too much");
+    return tr_status_fail(st, TR_CHECK_FAILED, "error: parts that the scene leaves out cost too much");
 }
 
 bool tr_cli_bench_features(const tr_bench_arguments *a, tr_status *st) {

@@ -80,7 +80,7 @@ static void show(const char *slot, const tr_law *law) {
     printf("%s: %s - %s\n", slot, law->table.name, law->table.doc);
     paragraph("formula", law->formula);
     if (law->source) paragraph("source", law->source);
-    if (law->differs) paragraph("differs from the print", law->differs);
+    if (law->differs) paragraph("differs from the paper", law->differs);
     unsigned only = law->table.demands & (TR_ONLY_DISKS | TR_ONLY_SPHERES);
     printf("  for\n    %s\n", only == TR_ONLY_DISKS ? "disks" : only ? "spheres" : "disks and spheres");
     if (law->table.n) printf("  parameters (under contact:, or in an item of laws:)\n");

@@ -18,11 +18,12 @@ static const struct command {
 } commands[] = {
     {"run", "run a case file: trundle run cases/biaxial.yaml -o out/biaxial", tr_cli_run},
     {"sweep", "run a case for each point of a grid of values and seeds: cases/sweep-quick.yaml", tr_cli_sweep},
-    {"replay", "the contacts of a biaxial test through the exact half-plane and every friction law", tr_cli_replay},
-    {"laws", "list the contact laws, or tell all about one: trundle laws wang-spring", tr_cli_laws},
+    {"replay", "move the contacts of a biaxial test again, by the exact half-plane and every friction law",
+     tr_cli_replay},
+    {"laws", "list the contact laws, or explain one: trundle laws wang-spring", tr_cli_laws},
     {"bench", "measure the speed of the contact loop on a sheared sample", tr_cli_bench},
     {"measures", "rolling and sliding by every definition: a card of pure motions, or a CSV file", tr_cli_measures},
-    {"verify", "compare numbers with answers from elsewhere: exact, precision, stability", tr_cli_verify},
+    {"verify", "compare numbers with closed forms and independent solvers: exact, precision, stability", tr_cli_verify},
 };
 enum { N_COMMANDS = sizeof commands / sizeof *commands };
 

@@ -9,6 +9,7 @@
 #include "out/dir.h"
 #include "study/card.h"
 #include "study/measures.h"
+#include "base/math.h"
 #include <argp.h>
 #include <errno.h>
 #include <math.h>
@@ -24,7 +25,7 @@ typedef struct arguments {
 enum { CARD = 256, ARMS };
 
 static const struct argp_option options[] = {
-    {"output", 'o', "OUT.csv", 0, "write CSV there, whole or not at all (default with FILE.csv: standard output)", 0},
+    {"output", 'o', "OUT.csv", 0, "write CSV to OUT.csv, only if all rows are right (default with FILE.csv: standard output)", 0},
     {"card", CARD, "OUT.csv", 0,
      "write motions for another code to run, with overlap and with the springs to use, for trundle identify", 0},
     {"arms", ARMS, NULL, 0, "also the arms of every code: columns r1_..., r2_..., power_..., and a table of them", 0},
@@ -188,7 +189,7 @@ static void print_arms(const tr_card_row *row, const tr_motion_measures *measure
         for (int i = 0; i < TR_CARD_ROWS; i += 3) {
             const tr_motion *m = &row[i].motion;
             const tr_motion_measures *of = &measures[i];
-            double L = hypot(m->x2x - m->x1x, m->x2y - m->x1y),
+            double L = tr_hypot(m->x2x - m->x1x, m->x2y - m->x1y),
                    Vs = tr_measures_sliding_of(of, tr_arms_rows[k].sliding);
             if (isinf(m->R1) || row[i].overlap < 0.01 * L || !strstr(row[i].label, "resting")) continue;
             if (!strncmp(row[i].label, "RBR", 3)) slides = fmax(slides, fabs(Vs) / fabs(m->w1 * row[i].overlap));

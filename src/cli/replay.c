@@ -13,10 +13,10 @@
 enum { EVERY = 1000 };
 
 static const struct argp_option options[] = {
-    {"output", 'o', "DIR", 0, "directory of the tables (default: that of the run)", 0},
+    {"output", 'o', "DIR", 0, "directory of the tables (default: directory of the run)", 0},
     {"jobs", 'j', "N", 0, "threads (default: the processors that this process may use); the result is the same", 0},
     {"elements", 'n', "N", 0, "elements across a contact (default: 60)", 0},
-    {"every", EVERY, "K", 0, "replay each K-th contact alone, and leave out the stress", 0},
+    {"every", EVERY, "K", 0, "replay only each K-th contact, and leave out the stress", 0},
     {0},
 };
 

@@ -30,20 +30,21 @@ typedef struct arguments {
 
 static const struct argp_option options[] = {
     {"output", 'o', "DIR", 0, "directory of the results (default: out/ and the name of the case)", 0},
-    {"force", FORCE, NULL, 0, "replace a finished run in that directory", 0},
+    {"force", FORCE, NULL, 0, "replace a finished run in the output directory", 0},
     {"set", SET, "KEY=VALUE", 0, "override a key of the case: --set shear.inertial_number=1e-4", 0},
     {"seed", SEED, "S", 0, "short for --set seed=S", 0},
     {"frames", FRAMES, "N", 0, "short for --set output.frames=N", 0},
     {"resume", RESUME, NULL, 0,
-     "go on with what was stopped in that directory, to the same bytes; a finished run is left as it is. Without a "
+     "continue a stopped run in the output directory, to the same bytes; a finished run stays as it is. Without a "
      "checkpoint a run starts over; only biaxial tests have one",
      0},
     {"checkpoint", CHECKPOINT, "SECONDS", 0, "time between two checkpoints of a biaxial test (default: 60)", 0},
     {"sample", SAMPLE, "FILE", 0,
-     "start a biaxial test from the packing in FILE (the result is the same); without such a file the run makes it", 0},
-    {"threads", THREADS, "N", 0, "share the work of more than 4000 disks (default: 1); the results are the same bits",
+     "start a biaxial test from the packing in FILE (the result is the same); if FILE does not exist, the run makes it",
      0},
-    {"check", CHECK, NULL, 0, "only check the case", 0},
+    {"threads", THREADS, "N", 0,
+     "number of threads, for more than 4000 disks (default: 1); the results are the same bits", 0},
+    {"check", CHECK, NULL, 0, "read and check the case, do not run it", 0},
     {"keys", KEYS, NULL, 0,
      "print all keys of a case of this KIND, or of all kinds, as Markdown tables: key, unit, default, range, meaning",
      0},
@@ -82,7 +83,8 @@ static error_t parse(int key, char *value, struct argp_state *state) {
         break;
     case ARGP_KEY_END:
         if (!a->file && !a->keys) argp_error(state, "which case file?");
-        if (a->resume && a->force) argp_error(state, "--resume keeps what is there, --force replaces it");
+        if (a->resume && a->force)
+            argp_error(state, "--resume keeps the files of the run, --force replaces them: give one of them");
         break;
     case THREADS:
         a->threads = tr_cli_whole(value, 1, TR_MOST_THREADS, "--threads", state);
@@ -137,7 +139,7 @@ static int run(const arguments *a) {
     if (!tr_scene_read_file(&scene, a->file, a->set, a->n_set, tr_laws_catalog(), &st)) return tr_cli_fail(&st);
     if (a->sample && scene.kind != TR_KIND_BIAXIAL) {
         tr_scene_free(&scene);
-        tr_status_fail(&st, TR_BAD_CASE, "error: --sample is of kind: biaxial; %s is of another kind", a->file);
+        tr_status_fail(&st, TR_BAD_CASE, "error: --sample needs a case of kind: biaxial; %s has another kind", a->file);
         return tr_cli_fail(&st);
     }
     char name[256], dir[300];

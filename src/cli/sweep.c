@@ -29,9 +29,9 @@ static const struct argp_option options[] = {
      "directory of the points, of points.csv and collect.csv (default: out/ and the name of the sweep)", 0},
     {"jobs", 'j', "N", 0, "runs at once (default: the processors that this process may use)", 0},
     {"list", LIST, NULL, 0, "only list the points: number and directory", 0},
-    {"index", INDEX, "K", 0, "run point K alone, and collect nothing", 0},
+    {"index", INDEX, "K", 0, "run only point K, and collect nothing", 0},
     {"collect", COLLECT, NULL, 0, "only write points.csv and collect.csv, from the points that are finished", 0},
-    {"yes", YES, NULL, 0, "more than 10000 points are meant", 0},
+    {"yes", YES, NULL, 0, "allow more than 10000 points", 0},
     {0},
 };
 
@@ -64,7 +64,8 @@ static error_t parse(int key, char *value, struct argp_state *state) {
         argp_error(state, "which sweep?");
         break;
     case ARGP_KEY_END:
-        if (a->list + a->collect + (a->index >= 0) > 1) argp_error(state, "one of --list, --index, --collect");
+        if (a->list + a->collect + (a->index >= 0) > 1)
+            argp_error(state, "only one of --list, --index, --collect at a time");
         break;
     default:
         return ARGP_ERR_UNKNOWN;

@@ -99,10 +99,9 @@ int tr_cli_verify(int argc, char **argv) {
             run_one(&v, which, &st);
     }
     if (a.dir && !a.list && !st.code) tr_verify_write(&v, a.dir, &st);
-    if (!a.list) printf("%d of %d numbers are where they should be\n", v.n - v.failed, v.n);
+    if (!a.list) printf("%d of %d numbers are right\n", v.n - v.failed, v.n);
     fflush(stdout);
-    if (v.failed)
-        tr_status_fail(&st, TR_CHECK_FAILED, "error: %d of the numbers are not where they should be", v.failed);
+    if (v.failed) tr_status_fail(&st, TR_CHECK_FAILED, "error: %d of the numbers are wrong", v.failed);
     tr_verify_free(&v);
     return st.code ? tr_cli_fail(&st) : TR_OK;
 }

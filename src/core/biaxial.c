@@ -240,7 +240,7 @@ bool tr_biaxial_compact(tr_biaxial *b, int steps, double *unbalanced, bool *done
     if ((double)world->steps > too_many)
         return tr_status_fail(
             st, TR_NUMERICAL,
-            "error: compaction has not come to rest after %lld steps (unbalanced ratio %.3g, asked %.3g; stresses "
+            "error: compaction is not at rest after %lld steps (unbalanced ratio %.3g, asked %.3g; stresses "
             "%.4g and %.4g, asked %.4g); is there damping (contact.damping_ratio) or friction (compaction.mu)?",
             (long long)world->steps, *unbalanced, b->scene->compaction.unbalanced, stress(b, TR_TOP_WALL),
             stress(b, TR_RIGHT_WALL), pressure);

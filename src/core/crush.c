@@ -61,7 +61,7 @@ void tr_crush_say(const tr_world *world, const tr_crush *crush, char *text, size
     bool given = moves_as_given(inv2, d->vel + two) ||
                  (crush->walls ? wall_moves(&world->wall[crush->a]) : moves_as_given(inv1, d->vel + one));
     if (world->steps == 0) {
-        snprintf(text, size, "; it is so at the start: place them further apart");
+        snprintf(text, size, "; the scene starts so: place them further apart");
         return;
     }
     /* What this contact has taken up, and all that may still come to it, from other contacts too. Half as much again for what
@@ -70,8 +70,8 @@ void tr_crush_say(const tr_world *world, const tr_crush *crush, char *text, size
     tr_crush_limit limit = tr_crush_find(normal, world->shape, R1, R2, 0, 1.5 * energy);
     if (!limit.key) return;
     if (given)
-        snprintf(text, size, "; the given motion presses it, or contact.%s = %.3g %s is too small", limit.key, limit.is,
-                 limit.unit);
+        snprintf(text, size, "; the prescribed motion presses it, or contact.%s = %.3g %s is too small", limit.key,
+                 limit.is, limit.unit);
     else
         snprintf(text, size, "; contact.%s = %.3g %s is too small for the forces or the impact: %s about %.2g %s%s",
                  limit.key, limit.is, limit.unit, is_driven(world) ? "it takes at least" : "from", limit.holds,

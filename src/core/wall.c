@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "core/wall.h"
 
+#include "base/math.h"
 #include <math.h>
 
 /* Along and away from a wall: u along t = (ny, -nx), h along n. */
@@ -28,7 +29,7 @@ tr_wall_touch tr_wall_nearest(const tr_wall *w, const double *pos) {
         double side = p.h < 0 ? -1 : 1;
         return (tr_wall_touch){fabs(p.h), side * w->nx, side * w->ny, false};
     }
-    double along = p.u - nearer_end(w, p.u), distance = hypot(along, p.h);
+    double along = p.u - nearer_end(w, p.u), distance = tr_hypot(along, p.h);
     if (!(distance > 0)) return (tr_wall_touch){0, w->nx, w->ny, true};
     double t = along / distance, n = p.h / distance;
     return (tr_wall_touch){distance, t * w->ny + n * w->nx, -t * w->nx + n * w->ny, true};

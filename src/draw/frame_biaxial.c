@@ -211,7 +211,7 @@ static void draw_walls(cairo_t *cr, const tr_view *view, const tr_map *map) {
 
 static void draw_color_bar(cairo_t *cr, const tr_view *view, double range, double y) {
     static const char *const name[] = {"friction used  |f_t| / (μ f_n)", "sliding velocity  |V_s|",
-                                       "rolling velocity  |V_r|", "share of the width that slips",
+                                       "rolling velocity  |V_r|", "part of the width that slips",
                                        "rotation since the start"};
     tr_unit unit = {.size = 1};
     char label[64];

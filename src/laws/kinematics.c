@@ -116,7 +116,7 @@ INLINE void move_edge(tr_tile *restrict tile, wall_arm *of) {
         tile->delta[i] = delta;
         tile->r1[i] = 0, tile->r2[i] = r2;
         tile->v_n[i] = -(dvx * nx + dvy * ny);
-        tile->v_s[i] = Vt + r2 * w2;
+        tile->v_s[i] = r2 * w2 + Vt;
         tile->s1[i] = g1[i] * Vt;
         tile->s2[i] = R2[i] * (betadot - w2);
     }

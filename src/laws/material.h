@@ -9,7 +9,7 @@
 
 #define TR_ROW_E_STAR(par, at)                                                                                         \
     { "E_star", TR_REAL, TR_DIM_MODULUS, "Pa", NULL, 1e-3, 1e15, NULL, offsetof(par, at),                              \
-      "contact modulus, 1/E_star = sum of (1 - nu^2)/E of the two; sets the size of the contact" }
+      "contact modulus, 1/E_star = sum of (1 - nu^2)/E of both bodies; sets the size of the contact" }
 #define TR_ROW_NU(par, at)                                                                                             \
     { "nu", TR_REAL, TR_DIM_NUMBER, "1", "0.3", -0.999, 0.5, NULL, offsetof(par, at),                                  \
       "Poisson's ratio of both bodies; only spheres use it" }

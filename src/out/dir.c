@@ -95,7 +95,7 @@ static bool open_part(tr_file *file, const char *path, const char *mode, tr_stat
     if (*mode != 'a' || unshare(file->part, st)) file->stream = fopen(file->part, mode);
     if (file->stream) return true;
     if (errno == EEXIST)
-        tr_status_fail(st, TR_FILE, "error: %s is in the way; move it away", file->part);
+        tr_status_fail(st, TR_FILE, "error: %s has the name of a result; move it away", file->part);
     else
         tr_status_fail(st, TR_FILE, "error: cannot write %s: %s", file->part, strerror(errno));
     free(file->part);

@@ -346,7 +346,7 @@ static bool is_same(const struct stat *a, const struct stat *b) {
 }
 
 static bool fail_both(const char *output, const char *input, tr_status *st) {
-    return tr_status_fail(st, TR_FILE, "error: %s would be written over %s, which is read; give another -o", output,
+    return tr_status_fail(st, TR_FILE, "error: %s would replace %s, which this command reads; give another -o", output,
                           input);
 }
 

@@ -123,7 +123,7 @@ static bool is_whole(const char *path, const char *end, size_t size) {
 static bool keep(const char *part, const char *path, const char *end, size_t size, int code, tr_status *st) {
     if (!code && is_whole(part, end, size)) return tr_part_keep(part, path, st);
     unlink(part);
-    return code || tr_status_fail(st, TR_FILE, "error: cannot write %s: gnuplot left it unfinished", path);
+    return code || tr_status_fail(st, TR_FILE, "error: cannot write %s: gnuplot did not finish it", path);
 }
 
 /* Runs plot.gp, and names its two pictures. The names are made first: when memory is short, gnuplot does not start, and

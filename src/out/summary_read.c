@@ -47,7 +47,7 @@ static bool is_number(const json_t *value) {
 
 bool tr_summary_read(const char *path, const char *name, double *value, tr_status *st) {
     json_t *o = load(path, st);
-    if (!o) return tr_status_fail(st, TR_FILE, "error: cannot read %.300s: it is not there, or not whole", path);
+    if (!o) return tr_status_fail(st, TR_FILE, "error: cannot read %.300s: it does not exist, or is incomplete", path);
     const json_t *number = find(o, name);
     bool ok = is_number(number);
     *value = json_is_number(number) ? json_number_value(number) : NAN;

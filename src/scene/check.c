@@ -181,7 +181,8 @@ static bool check_picks(const checker *c, const tr_scope *s, const char *key, co
 static bool check_boundary(const checker *c, const tr_scope *s) {
     const tr_scene *scene = c->scene;
     if (scene->boundary == TR_PERIODIC && scene->shear.walls)
-        return tr_text_fail(c->r->st, mark_in(s, "walls"), "`boundary: periodic` has no walls to be rough");
+        return tr_text_fail(c->r->st, mark_in(s, "walls"),
+                            "`boundary: periodic` has no walls: `walls: rough` is not allowed");
     if (scene->boundary == TR_WALLS && scene->shear.hold)
         return tr_text_fail(c->r->st, mark_in(s, "hold"),
                             "the lateral walls hold their own pressure: `hold: mean` takes `boundary: periodic`");
@@ -229,7 +230,7 @@ static bool check_check(const checker *c, const tr_scope *s) {
         return tr_text_fail(c->r->st, mark_in(s, "at"), "`at` is %.9g s, after `time_end`, which is %.9g s", check->at,
                             scene->time_end);
     if (check->over > check->at)
-        return tr_text_fail(c->r->st, mark_in(s, "over"), "`over` is %.9g s, longer than the run is by then, %.9g s",
+        return tr_text_fail(c->r->st, mark_in(s, "over"), "`over` is %.9g s, longer than the time up to `at`, %.9g s",
                             check->over, check->at);
     if (check->contact.n && check->contact.item[0].a == check->contact.item[0].b)
         return tr_text_fail(c->r->st, mark_in(s, "contact"),

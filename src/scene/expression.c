@@ -221,7 +221,7 @@ static bool translate(translation *t, const char *text, const tr_names *names, t
             return fail(problem, i, "expected + - * / ^ or the end here");
         }
     }
-    if (wanted) return fail(problem, i, t->length ? "the value breaks off here" : "no value");
+    if (wanted) return fail(problem, i, t->length ? "the value ends too early here" : "no value");
     return depth == 0 || fail(problem, i, "a `)` is missing");
 }
 
@@ -251,7 +251,8 @@ static bool describe(tr_problem *problem, const double power[3]) {
         size_t used = strlen(text);
         double p = round(4 * power[i]) / 4;
         if (!(fabs(power[i] - p) < SLACK && fabs(p) < 100))
-            return fail(problem, 0, "mixes dimensions: a sum needs equal ones, a function and a power need numbers");
+            return fail(problem, 0,
+                        "mixes dimensions: the terms of a sum need one dimension, functions and powers need numbers");
         if (p != 0) snprintf(text + used, sizeof text - used, p == 1 ? " %s" : " %s^%g", names[i], p);
     }
     snprintf(problem->text, sizeof problem->text, "wrong dimension: this is %s%s", *text ? "in" : "a number", text);

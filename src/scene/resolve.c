@@ -252,7 +252,7 @@ static bool cycle(tr_resolver *r, const tr_entry *e, const tr_entry *asker) {
         snprintf(text + used, sizeof text - used, "%s%s", used ? " -> " : "",
                  tr_resolve_name(step->scope, step->param->key).text);
     }
-    return fail(r, n > 1 ? way[1] : e, 0, "these keys name each other in a circle: %s", text);
+    return fail(r, n > 1 ? way[1] : e, 0, "these keys refer to each other in a circle: %s", text);
 }
 
 bool tr_resolve(tr_resolver *r, tr_entry *e, tr_entry *asker) {
@@ -264,7 +264,7 @@ bool tr_resolve(tr_resolver *r, tr_entry *e, tr_entry *asker) {
     const char *instead = p->type == TR_REAL ? p->choices : NULL;
     const tr_entry *other = instead ? tr_resolve_entry(e->scope, instead) : NULL;
     if (other && e->node && other->node)
-        return tr_text_fail(r->st, e->node->mark, "`%s` and `%s` say the same: give one of them", p->key, instead);
+        return tr_text_fail(r->st, e->node->mark, "`%s` and `%s` mean the same: give one of them", p->key, instead);
     if (other && !e->node && (other->node || (!e->fallback && other->fallback))) {
         *(double *)e->value = NAN;
         e->state = TR_ENTRY_DONE;
@@ -282,7 +282,7 @@ bool tr_resolve(tr_resolver *r, tr_entry *e, tr_entry *asker) {
         return tr_text_fail(r->st, e->node->mark, "`%s` must be a single value: %s", name.text, p->doc);
     const char *text = e->node ? e->node->text : e->fallback;
     if (*text == '\0' && p->type != TR_TEXT) return fail(r, e, 0, "`%s` has no value: %s", name.text, p->doc);
-    if (r->depth == MAX_DEPTH) return fail(r, e, 0, "names name names more than %d deep", MAX_DEPTH);
+    if (r->depth == MAX_DEPTH) return fail(r, e, 0, "values refer to other values more than %d levels deep", MAX_DEPTH);
     e->state = TR_ENTRY_BUSY;
     e->asker = asker;
     r->depth++;

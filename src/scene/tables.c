@@ -32,16 +32,16 @@ static const tr_param root_biaxial[] = {
 static const tr_param root_bodies[] = {
     {"time_end", TR_REAL, TR_DIM_TIME, "s", NULL, 1e-12, 1e6, NULL, AT(time_end), "time that the run covers"},
     {"label", TR_TEXT, TR_DIM_NUMBER, "", "", 0, sizeof((tr_scene *)0)->label, NULL, AT(label),
-     "what tells this document from the others"},
+     "name of this document, among several in one file"},
 };
 static const tr_param root_pair[] = {
     {"E_star", TR_REAL, TR_DIM_MODULUS, "Pa", "bodies.E/(2*(1 - bodies.nu^2))", 1e-4, 1e18, NULL, AT(pair.E_star),
-     "contact modulus, 1/E_star = sum of (1 - nu^2)/E of the two"},
+     "contact modulus, 1/E_star = sum of (1 - nu^2)/E of both bodies"},
     {"R_star", TR_REAL, TR_DIM_LENGTH, "m", "bodies.R1*bodies.R2/(bodies.R1 + bodies.R2)", 1e-10, 1e3, NULL,
      AT(pair.R_star), "1/R_star = 1/R1 + 1/R2"},
 };
 static const tr_param root_contact[] = {
-    {"nu", TR_REAL, TR_DIM_NUMBER, "1", "bodies.nu", -0.999, 0.5, NULL, AT(pair.nu), "Poisson's ratio of both"},
+    {"nu", TR_REAL, TR_DIM_NUMBER, "1", "bodies.nu", -0.999, 0.5, NULL, AT(pair.nu), "Poisson's ratio of both bodies"},
     {"depth", TR_REAL, TR_DIM_LENGTH, "m", "bodies.depth", 1e-12, 1e6, NULL, AT(pair.d),
      "d of the line contact, whose approach is (2P/(pi E_star)) (ln(2d/a) + 1/2)"},
 };
@@ -75,11 +75,11 @@ const char tr_tables_depth_from_Lambda[] = "path.0.a*exp(bodies.Lambda)/2";
 #define LINE(key, doc)                                                                                                 \
     { #key, TR_TEXT, TR_DIM_NUMBER, "", "", 0, sizeof((STRUCT *)0)->key, NULL, AT(key), doc }
 static const tr_param lesson[] = {
-    LINE(title, "of the film"),
-    LINE(equation, "what is shown, with its source"),
-    LINE(sentence, "what there is to see"),
-    LINE(question, "to the class"),
-    LINE(answer, "to the question"),
+    LINE(title, "title of the film"),
+    LINE(equation, "the equation that the film shows, with its source"),
+    LINE(sentence, "what to look at, in a sentence"),
+    LINE(question, "question to the class"),
+    LINE(answer, "answer to the question"),
 };
 #undef STRUCT
 
@@ -87,7 +87,7 @@ static const tr_param lesson[] = {
 static const tr_param sample[] = {
     {"disks", TR_COUNT, TR_DIM_NUMBER, "", "400", 2, 1e7, NULL, AT(disks), "number of disks"},
     {"r_min", TR_REAL, TR_DIM_LENGTH, "m", NULL, 1e-9, 1e3, NULL, AT(r_min),
-     "smallest radius; radii uniform up to r_max"},
+     "smallest radius; radii are uniform from r_min to r_max"},
     {"r_max", TR_REAL, TR_DIM_LENGTH, "m", NULL, 1e-9, 1e3, NULL, AT(r_max), "largest radius"},
     {"density", TR_REAL, TR_DIM_DENSITY, "kg/m^3", "2700", 1e-3, 1e6, NULL, AT(density), "density of the disks"},
 };
@@ -112,20 +112,20 @@ static const tr_param contact[] = {
 static const tr_param compaction[] = {
     {"pressure", TR_REAL, TR_DIM_STRESS, "Pa|N/m", NULL, 1e-3, 1e12, NULL, AT(pressure), "pressure on all four walls"},
     {"mu", TR_REAL, TR_DIM_NUMBER, "1", "0", 0, 10, NULL, AT(mu),
-     "friction coefficient while compacting; 0 packs densest"},
+     "friction coefficient during compaction; 0 gives the densest sample"},
     {"inertial_number", TR_REAL, TR_DIM_NUMBER, "1", "1e-2", 1e-9, 1, NULL, AT(inertial_number),
-     "largest speed of walls or sides, as an inertial number"},
+     "largest speed of the walls or sides, as an inertial number"},
     {"unbalanced", TR_REAL, TR_DIM_NUMBER, "1", "1e-4", 1e-12, 0.1, NULL, AT(unbalanced),
-     "compacted when mean net force / mean contact force is below this"},
+     "compaction ends when mean net force / mean contact force is below this"},
 };
 #undef STRUCT
 
 #define STRUCT tr_scene_shear
 static const tr_param shear[] = {
     {"lateral_pressure", TR_REAL, TR_DIM_STRESS, "Pa|N/m", "compaction.pressure", 1e-3, 1e12, NULL,
-     AT(lateral_pressure), "pressure on the two lateral walls; of a periodic cell the stress that is held"},
+     AT(lateral_pressure), "pressure on the two lateral walls, or the held stress of a periodic cell"},
     {"hold", TR_CHOICE, TR_DIM_NUMBER, "", "lateral", 0, 0, "lateral|mean", AT(hold),
-     "which stress of a periodic cell lateral_pressure is: lateral, or mean (s1 + s2)/2"},
+     "held stress of a periodic cell: lateral, or mean (s1 + s2)/2"},
     {"inertial_number", TR_REAL, TR_DIM_NUMBER, "1", "1e-3", 1e-9, 1, NULL, AT(inertial_number),
      "I = strain rate sqrt(mean disk mass / lateral_pressure); below 1e-3 quasi-static"},
     {"strain_end", TR_REAL, TR_DIM_NUMBER, "1", "0.20", 1e-9, 0.5, NULL, AT(strain_end),
@@ -147,22 +147,22 @@ static const tr_param gravity[] = {
 #define STRUCT tr_scene_step
 #define SAFETY(default_)                                                                                               \
     { "safety", TR_REAL, TR_DIM_NUMBER, "1", default_, 1e-6, 1, NULL, AT(safety), "time step over its stability bound" }
-/* `trundle verify precision`: a few bodies are there for their numbers, and at 0.1 most are good to 1e-3; the scatter of
- * an assembly is far above what its step errs. */
+/* From `trundle verify precision`: a few bodies need accurate numbers, and at 0.1 most are good to 1e-3. The scatter of
+ * an assembly is far larger than the error of its step. */
 static const tr_param step_bodies[] = {SAFETY("0.1")};
 static const tr_param step_biaxial[] = {SAFETY("0.4")};
 static const tr_param step[] = {
     {"dt", TR_REAL, TR_DIM_TIME, "s", "0", 0, 1e6, NULL, AT(dt), "time step; 0: safety times the bound"},
     {"allow_unstable", TR_SWITCH, TR_DIM_NUMBER, "", "no", 0, 0, NULL, AT(allow_unstable),
-     "run a dt above the bound all the same"},
+     "allow a dt above the bound"},
 };
 #undef STRUCT
 
 #define STRUCT tr_scene_output
 static const tr_param output[] = {
-    {"frames", TR_COUNT, TR_DIM_NUMBER, "", "20", 0, 1e5, NULL, AT(frames), "pictures over the run; 0: none"},
+    {"frames", TR_COUNT, TR_DIM_NUMBER, "", "20", 0, 1e5, NULL, AT(frames), "number of pictures; 0: none"},
     {"rows", TR_COUNT, TR_DIM_NUMBER, "", "400", 3, 1e6, NULL, AT(rows), "rows of history.csv"},
-    {"contacts", TR_COUNT, TR_DIM_NUMBER, "", "1", 0, 1e5, NULL, AT(contacts), "instants listed in contacts.csv"},
+    {"contacts", TR_COUNT, TR_DIM_NUMBER, "", "1", 0, 1e5, NULL, AT(contacts), "number of instants in contacts.csv"},
     {"paths", TR_PICKS, TR_DIM_NUMBER, "", "[]", 0, TR_MAX_PICKS, NULL, AT(paths),
      "contacts whose path is written: 17-42 (two disks), wall0-3 (wall 0, disk 3), most-mobilised (at the end)"},
 };
@@ -173,14 +173,14 @@ static const tr_param output_bodies[] = {
 };
 static const tr_param output_biaxial[] = {
     {"color", TR_CHOICE, TR_DIM_NUMBER, "", "mobilisation", 0, 0, "mobilisation|sliding|rolling|slip|spin", AT(color),
-     "what colours the contacts: |f_t|/(mu f_n), sliding or rolling velocity, the share of the width that slips; or "
-     "the disks: how far each has spun so far"},
+     "colour of the contacts: |f_t|/(mu f_n), sliding or rolling velocity, the part of the width that slips; or of "
+     "the disks: how far each has turned"},
     {"energy", TR_SWITCH, TR_DIM_NUMBER, "", "yes", 0, 0, NULL, AT(energy), "keep the energy ledger"},
     {"path_rows", TR_COUNT, TR_DIM_NUMBER, "", "0", 0, 1e6, NULL, AT(path_rows),
-     "instants at which paths.csv has the path of all contacts, for trundle replay; 0: no such file"},
+     "number of instants in paths.csv, the path of all contacts, for trundle replay; 0: no file"},
     {"increments", TR_SWITCH, TR_DIM_NUMBER, "", "no", 0, 0, NULL, AT(increments),
-     "adds to history.csv what contacts did since the row before (rolling and creep over sliding, runs, a, share of "
-     "friction), and to contacts.csv the sliding, rolling and creep of each"},
+     "adds the motion of contacts since the row before: to history.csv rolling and creep over sliding, runs, a and the "
+     "part of friction, to contacts.csv the sliding, rolling and creep of each contact"},
 };
 static const tr_param output_curves[] = {
     {"curves", TR_SWITCH, TR_DIM_NUMBER, "", "yes", 0, 0, NULL, AT(curves), "draw the curves with gnuplot"},
@@ -189,8 +189,8 @@ static const tr_param output_curves[] = {
 
 #define STRUCT tr_scene_patch
 static const tr_param output_patch[] = {
-    {"frames", TR_COUNT, TR_DIM_NUMBER, "", "20", 0, 1e5, NULL, AT(frames), "pictures over the path; 0: none"},
-    {"snapshots", TR_COUNT, TR_DIM_NUMBER, "", "20", 0, 1e5, NULL, AT(snapshots), "instants listed in patch.csv"},
+    {"frames", TR_COUNT, TR_DIM_NUMBER, "", "20", 0, 1e5, NULL, AT(frames), "number of pictures; 0: none"},
+    {"snapshots", TR_COUNT, TR_DIM_NUMBER, "", "20", 0, 1e5, NULL, AT(snapshots), "number of instants in patch.csv"},
 };
 #undef STRUCT
 
@@ -198,7 +198,7 @@ static const tr_param output_patch[] = {
 static const tr_param disk[] = {
     {"radius", TR_REAL, TR_DIM_LENGTH, "m", NULL, 1e-9, 1e3, NULL, AT(radius), "radius"},
     {"density", TR_REAL, TR_DIM_DENSITY, "kg/m^3", "2700", 1e-3, 1e6, NULL, AT(density),
-     "density; of no effect where the motion is prescribed or an orbit"},
+     "density; no effect with motion: prescribed or orbit"},
     {"inertia", TR_REAL, TR_DIM_NUMBER, "1", "1/2|2/5", 1e-6, 1e6, NULL, AT(inertia),
      "moment of inertia over m radius^2: 1/2 of a disk, 2/5 of a sphere, 1 of a hoop"},
     {"x", TR_REAL, TR_DIM_LENGTH, "m", NULL, -1e6, 1e6, NULL, AT(x), "centre at the start"},
@@ -209,7 +209,8 @@ static const tr_param disk[] = {
     {"vy", TR_REAL, TR_DIM_SPEED, "m/s", "0", -1e6, 1e6, NULL, AT(vy), "velocity at the start"},
     {"spin", TR_REAL, TR_DIM_SPIN, "rad/s", "0", -1e9, 1e9, NULL, AT(spin),
      "rotation rate at the start, counter-clockwise"},
-    {"torque", TR_REAL, TR_DIM_MOMENT, "N|N*m", "0", -1e15, 1e15, NULL, AT(torque), "applied, counter-clockwise"},
+    {"torque", TR_REAL, TR_DIM_MOMENT, "N|N*m", "0", -1e15, 1e15, NULL, AT(torque),
+     "applied torque, counter-clockwise"},
     {"motion", TR_CHOICE, TR_DIM_NUMBER, "", "free", 0, 0, "free|prescribed|orbit|pinned|driven", AT(motion),
      "free: forces move it; prescribed: keeps vx, vy, spin; orbit: circles, keeps spin; pinned: keeps vx, vy; driven: "
      "keeps spin"},
@@ -250,18 +251,19 @@ static const tr_param wall[] = {
 #define STRUCT tr_scene_check
 #define NEXT_CHOICE(choice, name, ...) "|" name
 static const tr_param check[] = {
-    {"what", TR_CHOICE, TR_DIM_NUMBER, "", NULL, 0, 0, &TR_WHATS(NEXT_CHOICE)[1], AT(what), "what is measured"},
+    {"what", TR_CHOICE, TR_DIM_NUMBER, "", NULL, 0, 0, &TR_WHATS(NEXT_CHOICE)[1], AT(what), "the measured quantity"},
 };
 static const tr_param check_contact[] = {
     {"contact", TR_PICKS, TR_DIM_NUMBER, "", NULL, 0, 1, NULL, AT(contact),
-     "on which contact: 0-1 (two disks), wall0-1 (wall 0, disk 1)"},
+     "the contact: 0-1 (two disks), wall0-1 (wall 0, disk 1)"},
 };
 static const tr_param check_disk[] = {
-    {"disk", TR_COUNT, TR_DIM_NUMBER, "", "0", 0, 1e3, NULL, AT(disk), "on which disk"},
+    {"disk", TR_COUNT, TR_DIM_NUMBER, "", "0", 0, 1e3, NULL, AT(disk), "the disk"},
 };
 static const tr_param check_time[] = {
-    {"at", TR_REAL, TR_DIM_TIME, "s", "time_end", 0, 1e6, NULL, AT(at), "when"},
-    {"over", TR_REAL, TR_DIM_TIME, "s", "0", 0, 1e6, NULL, AT(over), "mean over this time before; 0: the instant"},
+    {"at", TR_REAL, TR_DIM_TIME, "s", "time_end", 0, 1e6, NULL, AT(at), "time of the measurement"},
+    {"over", TR_REAL, TR_DIM_TIME, "s", "0", 0, 1e6, NULL, AT(over),
+     "mean over this time before `at`; 0: the value at that instant"},
 };
 #define EXACT(choice, dim, unit)                                                                                       \
     static const tr_param exact_##choice[] = {                                                                         \
@@ -296,19 +298,19 @@ TR_PATCH_COLUMNS(EXACT)
 static const tr_param pair[] = {
     {"R1", TR_REAL, TR_DIM_LENGTH, "m", NULL, 1e-9, 1e3, NULL, AT(R1), "radius of body 1"},
     {"R2", TR_REAL, TR_DIM_LENGTH, "m", NULL, 1e-9, 1e3, NULL, AT(R2), "radius of body 2"},
-    {"E", TR_REAL, TR_DIM_MODULUS, "Pa", NULL, 1e-3, 1e15, NULL, AT(E), "Young's modulus of both"},
-    {"nu", TR_REAL, TR_DIM_NUMBER, "1", NULL, -0.999, 0.5, NULL, AT(nu), "Poisson's ratio of both"},
+    {"E", TR_REAL, TR_DIM_MODULUS, "Pa", NULL, 1e-3, 1e15, NULL, AT(E), "Young's modulus of both bodies"},
+    {"nu", TR_REAL, TR_DIM_NUMBER, "1", NULL, -0.999, 0.5, NULL, AT(nu), "Poisson's ratio of both bodies"},
 };
 static const tr_param pair_density[] = {
     {"density", TR_REAL, TR_DIM_DENSITY, "kg/m^3", "0", 0, 1e6, NULL, AT(density),
-     "density of both, for laws that know inertia; 0: not given"},
+     "density of both bodies, for laws that use inertia; 0: not given"},
 };
 #undef STRUCT
 
 #define STRUCT tr_scene_contact
 static const tr_param laws[] = {
     {"normal", TR_CHOICE, TR_DIM_NUMBER, "", "hertz-line|hertz-sphere", 0, 0, NULL, AT(normal.law),
-     "law of the normal force, here the curve that links force and overlap"},
+     "law of the normal force: it links force and overlap"},
     {"friction", TR_CHOICE, TR_DIM_NUMBER, "", "none", 0, 0, NULL, AT(friction.law), "law of the friction force"},
     {"rolling", TR_CHOICE, TR_DIM_NUMBER, "", "none", 0, 0, NULL, AT(rolling.law), "law of the rolling resistance"},
     {"rolling_velocity", TR_CHOICE, TR_DIM_NUMBER, "", "wang", 0, 0, NULL, AT(rolling_velocity),
@@ -319,19 +321,20 @@ static const tr_param laws[] = {
 #define STRUCT tr_scene_segment
 static const tr_param path[] = {
     {"force", TR_REAL, TR_DIM_FORCE, "N/m|N", NULL, 0, 1e12, "overlap", AT(force),
-     "normal force at the end, linear up to there; the first segment starts at its own"},
+     "normal force at the end of the segment, linear up to there; constant in the first segment"},
     {"slide", TR_REAL, TR_DIM_LENGTH, "m", "0", -1e3, 1e3, "tangential", AT(slide), "int Vs dt over the segment"},
     {"roll", TR_REAL, TR_DIM_LENGTH, "m", "0", -1e3, 1e3, NULL, AT(roll), "-int (s1 + s2)/2 dt over the segment"},
     {"steps", TR_COUNT, TR_DIM_NUMBER, "", "100", 1, 1e6, NULL, AT(steps), "steps of the segment"},
 };
 static const tr_param path_contact[] = {
     {"overlap", TR_REAL, TR_DIM_LENGTH, "m", NULL, -1e3, 1e3, "force", AT(overlap),
-     "overlap at the end, in place of the force; 0 or less: the contact opens"},
-    {"time", TR_REAL, TR_DIM_TIME, "s", "0", 0, 1e9, NULL, AT(time), "for laws that depend on the rate; 0: not given"},
+     "overlap at the end of the segment, in place of force; 0 or less: the contact opens"},
+    {"time", TR_REAL, TR_DIM_TIME, "s", "0", 0, 1e9, NULL, AT(time),
+     "duration, for laws that depend on the rate; 0: not given"},
 };
 static const tr_param path_patch[] = {
     {"tangential", TR_REAL, TR_DIM_FORCE, "N/m|N", NULL, -1e12, 1e12, "slide", AT(tangential),
-     "friction force at the end, linear up to there, in place of sliding"},
+     "friction force at the end of the segment, linear up to there, in place of slide"},
 };
 #undef STRUCT
 
@@ -339,7 +342,7 @@ static const tr_param path_patch[] = {
 static const tr_param path_start[] = {
     {"P", TR_REAL, TR_DIM_FORCE, "N/m|N", "previous.force", 0, 1e12, NULL, 0, "normal force"},
     {"a", TR_REAL, TR_DIM_LENGTH, "m", "sqrt(4*P*R_star/(pi*E_star))|(3*P*R_star/(4*E_star))^(1/3)", 1e-15, 1e6, NULL,
-     0, "half-width of the contact of disks, radius of that of spheres"},
+     0, "half-width of the contact of disks, or radius of the contact of spheres"},
 };
 
 #define STRUCT tr_scene
@@ -349,7 +352,7 @@ static const tr_param path_start[] = {
     .offset = AT(array), .item = sizeof *((tr_scene *)0)->array, .count = AT(count_), .min_items = least,              \
     .max_items = most
 #define CHECKS(kinds, rows, chosen_)                                                                                   \
-    SECTION("checks", "against closed forms", kinds, rows, LIST(checks, n_checks, 0, TR_MAX_CHECKS), .chosen = chosen_)
+    SECTION("checks", "numbers compared with closed forms", kinds, rows, LIST(checks, n_checks, 0, TR_MAX_CHECKS), .chosen = chosen_)
 #define AND_EXACT(choice, ...) , CHECKS(TR_FOR_BODIES, exact_##choice, 1u << choice)
 #define AND_COLUMN(name, ...) , CHECKS(TR_FOR_PAIR, exact_##name, 1u << TR_COLUMN_##name)
 #define AND_PATCH_COLUMN(name, ...) , CHECKS(TR_FOR_PATCH, exact_##name, 1u << TR_COLUMN_##name)
@@ -361,41 +364,40 @@ const tr_section tr_sections[] = {
     SECTION("", "", TR_FOR_PATCH, root_patch, .offset = 0),
     SECTION("", "", TR_FOR_PAIR, root_pair, .offset = 0, .derived = true),
     SECTION("", "", TR_FOR_CONTACT, root_contact, .offset = 0, .derived = true),
-    SECTION("lesson", "for the class", TR_FOR_ALL, lesson, .offset = AT(lesson)),
+    SECTION("lesson", "texts for the class", TR_FOR_ALL, lesson, .offset = AT(lesson)),
     SECTION("sample", "disks before compaction", TR_FOR_BIAXIAL, sample, .offset = AT(sample)),
-    SECTION("contact", "what two disks do to each other", TR_FOR_WORLDS, contact, .offset = AT(contact),
-            .first_slot = 1),
+    SECTION("contact", "the laws between two disks", TR_FOR_WORLDS, contact, .offset = AT(contact), .first_slot = 1),
     SECTION("compaction", "isotropic, between four smooth walls or in a periodic cell", TR_FOR_BIAXIAL, compaction,
             .offset = AT(compaction)),
-    SECTION("shear", "top and bottom approach, the lateral sides hold their pressure", TR_FOR_BIAXIAL, shear,
+    SECTION("shear", "top and bottom approach, the lateral sides hold the pressure", TR_FOR_BIAXIAL, shear,
             .offset = AT(shear)),
     SECTION("gravity", "", TR_FOR_BODIES, gravity, .offset = AT(gravity)),
     SECTION("step", "time step", TR_FOR_BODIES, step_bodies, .offset = AT(step)),
     SECTION("step", "time step", TR_FOR_BIAXIAL, step_biaxial, .offset = AT(step)),
     SECTION("step", "time step", TR_FOR_WORLDS, step, .offset = AT(step)),
-    SECTION("output", "what is written", TR_FOR_WORLDS, output, .offset = AT(output)),
+    SECTION("output", "what the run writes", TR_FOR_WORLDS, output, .offset = AT(output)),
     SECTION("output", "", TR_FOR_BIAXIAL, output_biaxial, .offset = AT(output)),
     SECTION("output", "", TR_FOR_BODIES, output_bodies, .offset = AT(output)),
-    SECTION("output", "what is written", TR_FOR_PATCH, output_patch, .offset = AT(patch)),
-    SECTION("output", "what is written", TR_FOR_BIAXIAL | TR_FOR_PAIR, output_curves, .offset = AT(output)),
+    SECTION("output", "what the run writes", TR_FOR_PATCH, output_patch, .offset = AT(patch)),
+    SECTION("output", "what the run writes", TR_FOR_BIAXIAL | TR_FOR_PAIR, output_curves, .offset = AT(output)),
     SECTION("disks", "", TR_FOR_BODIES, disk, LIST(disks, n_disks, 1, 1000)),
     SECTION("pull", "a thread that is wound on a hub", TR_FOR_BODIES, pull, .inside = "disks",
             .offset = offsetof(tr_scene_disk, pull), .given = offsetof(tr_scene_disk, pull.given)),
     SECTION("walls", "rigid planes", TR_FOR_BODIES, wall, LIST(walls, n_walls, 0, 100)),
-    SECTION("contact", "laws of this wall; what it does not say is as in the root's", TR_FOR_BODIES, contact,
+    SECTION("contact", "laws of this wall; without a key, that of the contact of the scene holds", TR_FOR_BODIES, contact,
             .inside = "walls", .offset = offsetof(tr_scene_wall, contact), .given = offsetof(tr_scene_wall, own),
             .like = "contact", .first_slot = 1),
     CHECKS(TR_FOR_BODIES, check, 0),
     CHECKS(TR_FOR_BODIES, check_contact, 0 TR_WHATS(BIT_OF_CONTACT)),
     CHECKS(TR_FOR_BODIES, check_disk, 0 TR_WHATS(BIT_OF_DISK)),
     CHECKS(TR_FOR_BODIES, check_time, 0 TR_WHATS(BIT_AT_TIME)) TR_WHATS(AND_EXACT),
-    SECTION("bodies", "the two in contact, of one material", TR_FOR_CONTACT, bodies_shape, .offset = 0),
-    SECTION("bodies", "the two in contact, of one material", TR_FOR_PAIR, pair, .offset = AT(pair)),
+    SECTION("bodies", "the two bodies in contact, of one material", TR_FOR_CONTACT, bodies_shape, .offset = 0),
+    SECTION("bodies", "the two bodies in contact, of one material", TR_FOR_PAIR, pair, .offset = AT(pair)),
     SECTION("bodies", "", TR_FOR_CONTACT, pair_density, .offset = AT(pair)),
     SECTION("bodies", "", TR_FOR_CONTACT, bodies_depth, .offset = 0),
-    SECTION("laws", "each runs along the path by itself", TR_FOR_CONTACT, laws, LIST(laws, n_laws, 1, TR_MAX_LAWS),
-            .first_slot = 1),
-    SECTION("path", "of the contact; the line of centres stands still", TR_FOR_PAIR, path,
+    SECTION("laws", "each item runs along the path on its own", TR_FOR_CONTACT, laws,
+            LIST(laws, n_laws, 1, TR_MAX_LAWS), .first_slot = 1),
+    SECTION("path", "motion of the contact; the line of centres does not move", TR_FOR_PAIR, path,
             LIST(path, n_segments, 1, 1000), .file = AT(path_file)),
     SECTION("path", "", TR_FOR_CONTACT, path_contact, LIST(path, n_segments, 1, 1000)),
     SECTION("path", "", TR_FOR_PATCH, path_patch, LIST(path, n_segments, 1, 1000)),

@@ -58,7 +58,7 @@ static bool header_cell(reader *c, const char *text) {
     while (k < f->n && strcmp(text, f->columns[k])) k++;
     if (k == f->n) k = IGNORED;
     for (int i = 0; i < c->cell && k != IGNORED; i++)
-        if (c->column[i] == k) return tr_csv_fail(&c->at, c->at.line, "column %s is there twice", text);
+        if (c->column[i] == k) return tr_csv_fail(&c->at, c->at.line, "column %s occurs twice", text);
     c->column[c->cell] = k;
     return true;
 }
@@ -117,7 +117,7 @@ static bool parse(reader *c, struct csv_parser *csv, const char *text, size_t le
     tr_status *st = c->at.st;
     if (csv_parse(csv, text, length, on_cell, on_line, c) < length && !st->code) {
         if (csv_error(csv) != CSV_EPARSE) return tr_status_fail(st, TR_FILE, "error: out of memory");
-        return tr_csv_fail(&c->at, c->at.line, "a quote within a cell (write \"\" for it, and quotes around the cell)");
+        return tr_csv_fail(&c->at, c->at.line, "a quote inside a cell (write \"\" for it, and quotes around the cell)");
     }
     if (!st->code && csv_get_buffer_size(csv) > MAX_CELL)
         return tr_csv_fail(&c->at, c->at.line, "a cell of more than %d bytes: is a quote not closed?", MAX_CELL);

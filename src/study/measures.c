@@ -242,7 +242,7 @@ static bool cell(void *context, tr_csv *csv, int column, const char *text, size_
     double v = 0;
     if (!tr_csv_number(csv, to->name, text, radius, &v)) return false;
     if (radius && !(v > 0))
-        return tr_csv_fail(csv, csv->line, "%s is %s: a radius is above 0%s", to->name, tr_csv_show(text, show),
+        return tr_csv_fail(csv, csv->line, "%s is %s: a radius must be above 0%s", to->name, tr_csv_show(text, show),
                            column == R1 ? " (a wall has R1 = inf)" : "");
     if (isinf(v) && column == R2) return tr_csv_fail(csv, csv->line, "R2 is inf: only body 1 can be a wall");
     memcpy((char *)&t->motion[t->n] + to->offset, &v, sizeof v);
@@ -253,7 +253,7 @@ static bool cell(void *context, tr_csv *csv, int column, const char *text, size_
 static bool in_range(double length) {
     return length >= 1e-150 && length <= 1e150;
 }
-static const char out_of_range[] = "only 1e-150 m to 1e150 m can be measured";
+static const char out_of_range[] = "allowed is 1e-150 m to 1e150 m";
 
 static bool row(void *context, tr_csv *csv) {
     table *t = context;

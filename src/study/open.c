@@ -11,7 +11,7 @@
 
 void tr_run_remove_checkpoint(const char *dir, tr_run_report *report) {
     if (tr_checkpoint_remove(dir)) return;
-    tr_run_note(report, "the checkpoint of this finished run could not be removed: %s; it is of no more use",
+    tr_run_note(report, "the checkpoint of this finished run could not be removed: %s; it is not needed any more",
                 strerror(errno));
 }
 
@@ -34,7 +34,7 @@ bool tr_run_open(const tr_scene *scene, const tr_run_options *options, tr_checkp
         return free(resolved), false;
     }
     if (resume) tr_checkpoint_remove_part(options->dir);
-    if (resume && instead.code) tr_run_note(report, "from the checkpoint before the last: %.150s", instead.text);
+    if (resume && instead.code) tr_run_note(report, "continued from the older checkpoint: %.150s", instead.text);
     bool ok = resume || (resolved && !st->code && spare_inputs(scene, options, st) &&
                          tr_made_clear(options->dir, options->force, st) &&
                          (!c || tr_made_add(options->dir, TR_CHECKPOINT, st)) &&

@@ -51,7 +51,7 @@ static bool open_packing(tr_checkpoint *c, const tr_packing *p, tr_status *inste
     if (tr_checkpoint_open(c, p->dir, p->name, p->text, instead, st)) return true;
     size_t n = strlen(st->text);
     if (st->code == TR_FILE)
-        snprintf(st->text + n, sizeof st->text - n, "; remove it, or give another name, to have this packing made");
+        snprintf(st->text + n, sizeof st->text - n, "; remove it, or give another name, and the run makes its own packing");
     return false;
 }
 
@@ -83,7 +83,7 @@ static bool wait_for_part(tr_packing *p, const char *path, const tr_run_options 
     if (p->lock < 0) return tr_status_fail(st, TR_FILE, "error: cannot write %s: %s", p->part, strerror(errno));
     if (!tr_checkpoint_is_one(p->lock)) {
         close(p->lock), p->lock = -1; /* it is not ours to remove */
-        return tr_status_fail(st, TR_FILE, "error: %s is in the way; move it away", p->part);
+        return tr_status_fail(st, TR_FILE, "error: %s has the name of a result; move it away", p->part);
     }
     while (flock(p->lock, LOCK_EX | LOCK_NB) && errno == EWOULDBLOCK) {
         if (options->stop && *options->stop)

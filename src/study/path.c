@@ -26,8 +26,8 @@ static bool cell(void *context, tr_csv *csv, int column, const char *text, size_
     p->timed |= column == TIME;
     if (!tr_csv_number(csv, name, text, false, &p->now[column])) return false;
     if (column == FORCE && p->now[FORCE] < 0)
-        return tr_csv_fail(csv, csv->line,
-                           "%s is %s: bodies are pressed together by a force above 0, or are apart at 0", name, text);
+        return tr_csv_fail(csv, csv->line, "%s is %s: a force must be above 0, or 0 where the bodies are apart", name,
+                           text);
     double most = column == FORCE ? 1e12 : column == SLIDE || column == ROLL ? 1e3 : INFINITY; /* as in a case */
     if (!(fabs(p->now[column]) <= most))
         return tr_csv_fail(csv, csv->line, "%s is %s, allowed is up to %g", name, text, most);
@@ -117,6 +117,6 @@ bool tr_path_read(tr_scene *scene, tr_status *st) {
                                   row};
     if (!tr_csv_read(scene->path_file, &format, &p, st)) return false;
     if (!scene->n_segments)
-        return tr_status_fail(st, TR_BAD_CASE, "%.480s:1: error: no row behind the header line", scene->path_file);
+        return tr_status_fail(st, TR_BAD_CASE, "%.480s:1: error: no row after the header line", scene->path_file);
     return has_times(&p, st) && reaches_checks(scene, st);
 }

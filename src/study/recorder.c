@@ -154,7 +154,7 @@ void tr_recorder_close(tr_recorder *r, tr_status *st) {
     else
         tr_file_discard(&r->all);
     if (r->rows && r->paths.taken < r->paths.lives)
-        tr_run_note(r->report, "paths.csv has %lld contacts, of %lld; the others were there between two instants only",
+        tr_run_note(r->report, "paths.csv has %lld contacts, of %lld; the others touched only between two instants",
                     (long long)r->paths.taken, (long long)r->paths.lives);
     for (int k = 0; k < r->paths.picks.n; k++) {
         struct tr_recorded *c = &r->item[k];

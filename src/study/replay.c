@@ -57,11 +57,11 @@ static bool choose_laws(tr_replay *r, int elements, tr_status *st) {
     int n_friction = tr_laws_catalog()->n_friction, n = 2;
     r->mu = value_of(own, "mu"), r->E_star = value_of(own, "E_star"), r->depth = value_of(own, "depth");
     if (!(r->mu > 0 && r->E_star > 0))
-        return tr_status_fail(st, TR_BAD_CASE, "error: to replay a run its laws must have mu > 0 and E_star");
+        return tr_status_fail(st, TR_BAD_CASE, "error: replay needs a run whose laws have mu > 0 and E_star");
     r->k_t = stiffness(r);
     if (!(r->k_t > 0 && isfinite(r->k_t)))
         return tr_status_fail(st, TR_BAD_CASE,
-                              "error: to replay a run it must have contacts of two disks under a normal force");
+                              "error: replay needs a run with contacts of two disks under a normal force");
     for (int i = 0; i < n_friction; i++) {
         const tr_law *law = tr_laws_friction[i];
         if (law->needs & TR_SOLVED_BY_PATCH)

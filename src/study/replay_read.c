@@ -38,17 +38,17 @@ static bool check_row(const tr_replay *r, const double *v, tr_csv *csv) {
     const int disks = r->scene.sample.disks, walls = r->scene.boundary == TR_PERIODIC ? 0 : 4;
     const long line = csv->row_line;
     if (v[A] != floor(v[A]) || v[B] != floor(v[B]) || v[LIFE] != floor(v[LIFE]))
-        return tr_csv_fail(csv, line, "life, a and b are whole numbers");
+        return tr_csv_fail(csv, line, "life, a and b must be whole numbers");
     if (!(v[B] >= 0 && v[B] < disks && v[A] >= -walls && v[A] < disks))
         return tr_csv_fail(csv, line,
-                           "no such contact: a = %.9g, b = %.9g; case.yaml has the disks 0 to %d and %d walls", v[A],
+                           "impossible contact: a = %.9g, b = %.9g; case.yaml has the disks 0 to %d and %d walls", v[A],
                            v[B], disks - 1, walls);
     if (v[A] == v[B]) return tr_csv_fail(csv, line, "disk %.0f touches itself: a = b", v[A]);
     if (v[A] > v[B])
         return tr_csv_fail(csv, line, "a = %.0f is above b = %.0f: a contact has the lower disk first", v[A], v[B]);
     if (v[FORCE] < 0 || !(v[R2] > 0) || !(v[A] < 0 || v[R1] > 0) || !(v[LIFE] >= 1 && v[LIFE] < 2e9))
-        return tr_csv_fail(csv, line, "no such contact: P_N_per_m < 0, a radius <= 0 or a life < 1");
-    if (!(tr_hypot(v[X], v[Y]) > 0)) return tr_csv_fail(csv, line, "no such contact: its branch has no length");
+        return tr_csv_fail(csv, line, "impossible contact: P_N_per_m < 0, a radius <= 0 or a life < 1");
+    if (!(tr_hypot(v[X], v[Y]) > 0)) return tr_csv_fail(csv, line, "impossible contact: its branch has no length");
     return true;
 }
 
@@ -61,18 +61,17 @@ static bool is_after(double a, double b, const tr_replay_row *p) {
 
 /* Instants in the order of time, contacts of one in the order of the run. */
 static bool check_order(const tr_replay *r, const double *v, tr_csv *csv) {
-    if (v[TIME] < 0) return tr_csv_fail(csv, csv->row_line, "time_s is %g: a run starts at 0", v[TIME]);
+    if (v[TIME] < 0) return tr_csv_fail(csv, csv->row_line, "time_s is %g: it must start at 0", v[TIME]);
     if (!r->n_rows) return true;
     const tr_replay_row *last = &r->row[r->n_rows - 1];
     if (v[TIME] > last->time) return true;
-    if (v[TIME] < last->time) return tr_csv_fail(csv, csv->row_line, "time_s falls: rows are in the order of time");
+    if (v[TIME] < last->time) return tr_csv_fail(csv, csv->row_line, "time_s falls: rows must be in the order of time");
     if (v[A] == last->a && v[B] == last->b)
-        return tr_csv_fail(csv, csv->row_line, "the contact of %.0f and %.0f is there twice at this instant", v[A],
-                           v[B]);
+        return tr_csv_fail(csv, csv->row_line, "the contact of %.0f and %.0f occurs twice at this instant", v[A], v[B]);
     return is_after(v[A], v[B], last) ||
            tr_csv_fail(
                csv, csv->row_line,
-               "the contact of %.0f and %.0f is out of order, or there twice at this instant: contacts of disks "
+               "the contact of %.0f and %.0f is out of order, or occurs twice at this instant: contacts of disks "
                "come in the order of a and b, then those of walls",
                v[A], v[B]);
 }
@@ -160,10 +159,9 @@ static bool check_lives(const tr_replay *r, const char *path, tr_status *st) {
                                   "line %ld",
                                   path, q->line, q->life, q->R1, q->R2, p->R1, p->R2, p->line);
         if (q->instant != p->instant + 1)
-            return tr_status_fail(
-                st, TR_BAD_CASE,
-                "%.400s:%ld: error: life %d was last there in line %ld, not at the instant before this", path, q->line,
-                q->life, p->line);
+            return tr_status_fail(st, TR_BAD_CASE,
+                                  "%.400s:%ld: error: life %d was last in line %ld, not at the instant before this one",
+                                  path, q->line, q->life, p->line);
     }
     return true;
 }
@@ -219,15 +217,15 @@ bool tr_replay_read(tr_replay *r, const char *run, tr_status *st) {
         return false;
     if (r->scene.kind != TR_KIND_BIAXIAL || r->scene.shape != TR_SHAPE_DISK || !r->scene.output.path_rows)
         return tr_status_fail(st, TR_BAD_CASE,
-                              "%.480s:1: error: a replay is of disks, kind: biaxial, with output.path_rows", path);
+                              "%.480s:1: error: replay needs disks, kind: biaxial, and output.path_rows", path);
     if (r->scene.compaction.mu > 0) /* what a contact brings with it is not in its path */
         return tr_status_fail(st, TR_BAD_CASE,
-                              "%.480s:1: error: a replay is of contacts that start without friction: it takes a run "
+                              "%.480s:1: error: replay needs contacts that start without friction: a run "
                               "with compaction.mu: 0, not %g",
                               path, r->scene.compaction.mu);
     if (!check_finished(run, st)) return false;
     const tr_csv_format format = {columns, COLUMNS, COLUMNS, "time_s,life,a,b,...", NULL, cell, row};
     if (!tr_dir_path(path, run, "paths.csv", st) || !tr_csv_read(path, &format, &in, st)) return false;
-    if (!r->n_rows) return tr_status_fail(st, TR_BAD_CASE, "%.480s:1: error: no contact in it", path);
+    if (!r->n_rows) return tr_status_fail(st, TR_BAD_CASE, "%.480s:1: error: it has no contact", path);
     return check_whole(r, run, path, in.last_line, st) && split(r, path, st) && read_rate(r, run, st);
 }

@@ -126,7 +126,7 @@ static bool compact(test *t, tr_status *st) {
     while (!done) {
         if (tr_run_stopped(t->options))
             return save(t, st) &&
-                   tr_status_fail(st, TR_INTERRUPTED, "stopped during compaction; --resume goes on from there");
+                   tr_status_fail(st, TR_INTERRUPTED, "stopped during compaction; --resume continues from there");
         if (!tr_biaxial_compact(&t->b, at_once, &t->unbalanced, &done, st)) return false;
         fraction = fmax(fraction, tr_log(t->unbalanced) / tr_log(asked)); /* it decays exponentially */
         tr_run_progress(t->options, "compaction", fraction);
@@ -258,7 +258,7 @@ static bool open_inset(test *t, tr_status *st) {
     if (!t->scene->output.frames || !paths->picks.n) return true;
     if (tr_inset_open(&t->inset, &t->b.world, paths->picks.item[0], &why)) return true;
     if (why.code == TR_FILE) return tr_status_fail(st, TR_FILE, "%s", why.text);
-    tr_run_note(t->report, "no inset in the frames: it takes two disks whose laws have mu and E_star");
+    tr_run_note(t->report, "no inset in the frames: it needs a contact of two disks, and laws with mu and E_star");
     return true;
 }
 
@@ -275,15 +275,16 @@ static bool shear(test *t, tr_status *st) {
     for (int64_t k = t->b.world.steps - t->b.shear_start;; k++) {
         if (tr_run_stopped(t->options))
             return save(t, st) &&
-                   tr_status_fail(st, TR_INTERRUPTED, "stopped %sat strain %.4f of %g; --resume goes on from there",
-                                  t->rehearsal ? "in the rehearsal " : "", t->state.strain, t->scene->shear.strain_end);
+                   tr_status_fail(st, TR_INTERRUPTED, "stopped %sat strain %.4f of %g; --resume continues from there",
+                                  t->rehearsal ? "in the first pass " : "", t->state.strain,
+                                  t->scene->shear.strain_end);
         if (k % 256 == 0 && !save_if_due(t, st)) return false;
         if (!tr_biaxial_forces(&t->b, st) || !tr_recorder_step(&t->out.recorder, st)) return false;
         unsigned due = t->rehearsal ? 0 : tr_outputs_due(&t->out, k, total);
         step_inset(t);
         if (due && !look(t, due, st)) return false;
         if (k == total) return true;
-        if (k % 256 == 0) tr_run_progress(t->options, t->rehearsal ? "rehearsal" : "shear", (double)k / (double)total);
+        if (k % 256 == 0) tr_run_progress(t->options, t->rehearsal ? "first pass" : "shear", (double)k / (double)total);
         tr_step_advance(&t->b.world);
     }
 }
@@ -338,7 +339,7 @@ static bool close_outputs(test *t, tr_status *st) {
 static const char *why_made(const tr_law *law, int rolling_velocity) {
     if (law->needs & TR_NEEDS_V_R && !(law->needs & TR_NEEDS_PARTIALS) && rolling_velocity != 0)
         return "its moments do not fit the rolling_velocity";
-    if (law->claims & TR_ENERGY_CLOSED) return "the less the smaller step.safety is";
+    if (law->claims & TR_ENERGY_CLOSED) return "a smaller step.safety makes it less";
     return "closed cycles of it may make energy";
 }
 

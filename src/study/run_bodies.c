@@ -130,7 +130,7 @@ static bool play(show *s, tr_status *st) {
     for (int64_t k = 0; k <= total; k++) {
         double time = tr_play_time(s->cast.play[s->cast.leader]);
         if (tr_run_stopped(s->options) && s->rehearsal)
-            return tr_status_fail(st, TR_INTERRUPTED, "stopped in the rehearsal; %s holds case.yaml only",
+            return tr_status_fail(st, TR_INTERRUPTED, "stopped in the first pass; %s has only case.yaml",
                                   s->options->dir);
         if (tr_run_stopped(s->options))
             return tr_status_fail(st, TR_INTERRUPTED, "stopped at time %.4g s of %g s", time, s->scene->time_end);
@@ -138,7 +138,7 @@ static bool play(show *s, tr_status *st) {
             if (!tr_play_to(s->cast.play[i], k * s->cast.play[i]->b.steps / total, st)) return false;
         unsigned due = tr_outputs_due(&s->out, k, total) & (s->rehearsal ? TR_DUE_FRAME : ~0u);
         if (due && !look(s, due, st)) return false;
-        if (k % 256 == 0) tr_run_progress(s->options, s->rehearsal ? "rehearsal" : "run", (double)k / (double)total);
+        if (k % 256 == 0) tr_run_progress(s->options, s->rehearsal ? "first pass" : "run", (double)k / (double)total);
     }
     return true;
 }
@@ -209,7 +209,7 @@ static void report_bodies(show *s, const tr_timing *timing) {
         if (s->cast.n > 1) tr_run_say(r, "scene", "%s", *p->scene->label ? p->scene->label : "(no label)");
         tr_run_say(r, "disks, walls", "%d, %d", p->scene->n_disks, p->scene->n_walls);
         if (isinf(p->b.dt_bound))
-            tr_run_say(r, "time step", "%.3g s, no bound: nothing that touches can vibrate", p->b.world.dt);
+            tr_run_say(r, "time step", "%.3g s, no bound: no contact can vibrate", p->b.world.dt);
         else
             tr_run_say(r, "time step", "%.3g s, bound %.3g s", p->b.world.dt, p->b.dt_bound);
         tr_run_say(r, "steps", "%lld", (long long)p->b.steps);
@@ -217,7 +217,7 @@ static void report_bodies(show *s, const tr_timing *timing) {
     tr_run_say(r, "time", "%g s", s->scene->time_end);
     for (int i = 0; i < s->n_results; i++) tr_run_say_check(r, &s->result[i], s->cast.n > 1);
     tr_run_say(r, "accuracy", "%s",
-               s->n_results ? "the errors above, the step among them; nothing else is examined"
+               s->n_results ? "the errors above, which include the step; nothing else is examined"
                             : "not examined: no checks; run again with half of step.safety, and compare");
     tr_run_say(r, "wall time", "%.1f s", timing->wall_s);
 }

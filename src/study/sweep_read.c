@@ -95,7 +95,8 @@ static bool number_of(const reader *r, const tr_node *node, const tr_node *in, c
     *unit = end;
     if (!strchr("+-.0123456789", *text) || strncmp(text, "0x", 2) == 0) *x = NAN; /* nan, inf, hexadecimal */
     return isfinite(*x) ||
-           tr_text_fail(r->st, node->mark, "`%s` must be a number, which a unit may follow; list other values", key);
+           tr_text_fail(r->st, node->mark, "`%s` must be a number, with or without a unit; use a list for other values",
+                        key);
 }
 
 /* Values between the ends have six digits, for directories are called after them; the ends are as they are given. */
@@ -154,7 +155,7 @@ static bool read_seed(const reader *r, const tr_node *node, bool range, unsigned
     if (ok) *last = *first = strtoull(text, &end, 10);
     if (ok && range && *end == '-' && (ok = strspn(end + 1, digits) > 0)) *last = strtoull(end + 1, &end, 10);
     if (ok && !*end && !errno && *first <= *last) return true;
-    return tr_text_fail(r->st, node->mark, "a seed is a whole number; several are 1-8 or [1, 2, 5]");
+    return tr_text_fail(r->st, node->mark, "a seed must be a whole number; for several write 1-8 or [1, 2, 5]");
 }
 
 static bool read_seeds(const reader *r, tr_axis *axis, const tr_node *node) {
@@ -191,7 +192,7 @@ static bool read_axes(const reader *r) {
         tr_axis *axis = &g->axis[g->n_axes++];
         *axis = (tr_axis){.key = node->key, .key_mark = node->key_mark};
         if (strcmp(node->key, "seed") == 0)
-            return tr_text_fail(r->st, node->key_mark, "seeds are no values to compare: list them in `seeds`");
+            return tr_text_fail(r->st, node->key_mark, "seeds cannot be compared: list them in `seeds`");
         if (!read_values(r, axis, node)) return false;
     }
     g->n_vary = g->n_axes;
@@ -220,8 +221,7 @@ static bool count_points(const reader *r) {
     const tr_node *where = tr_tree_find(g->root, g->n_vary ? "vary" : "seeds");
     if (n > MAX_POINTS) return tr_text_fail(r->st, where->key_mark, "%g points, allowed is 1 to %d", n, MAX_POINTS);
     if (n > TR_MANY_POINTS && !r->many)
-        return tr_text_fail(r->st, where->key_mark, "%.0f points; if you mean more than %d, say --yes", n,
-                            TR_MANY_POINTS);
+        return tr_text_fail(r->st, where->key_mark, "%.0f points; --yes allows more than %d", n, TR_MANY_POINTS);
     g->n = (int)n;
     g->combinations = g->n / g->seeds;
     return true;
@@ -242,7 +242,8 @@ static bool read_comparison(const reader *r, const tr_node *node) {
     const tr_axis *axis = &g->axis[c.axis];
     while (c.to < axis->n && strcmp(axis->value[c.to], to) != 0) c.to++;
     if (c.to == axis->n)
-        return tr_text_fail(r->st, to_node->mark, "`%s` is not among the values of `%s`, as they are written there",
+        return tr_text_fail(r->st, to_node->mark,
+                            "`%s` is not one of the values of `%s`: write it as it is written there",
                             tr_text_show(to).text, tr_text_show(key).text);
     for (int i = 0; i < g->n_compare; i++)
         if (g->compare[i].axis == c.axis && g->compare[i].to == c.to)

@@ -199,7 +199,7 @@ static bool claim(const runner *r) {
 
 static const char *const again[TR_POINT_FINISHED] = {
     [TR_POINT_OTHER] = "another case",
-    [TR_POINT_BROKEN] = "a summary.json that is not whole",
+    [TR_POINT_BROKEN] = "an incomplete summary.json",
     [TR_POINT_OLD] = "a run of another version of trundle",
     [TR_POINT_LACKING] = "a summary.json without a number to collect",
 };
@@ -222,7 +222,7 @@ static void run_all(runner *r, int missing) {
         while (j < r->jobs + r->o->jobs && j->pid) j++;
         if (more && j < r->jobs + r->o->jobs) {
             const char *why = again[r->state[next - r->o->first]];
-            if (why) say(r, next, "note: its directory holds %s; it is done again", why);
+            if (why) say(r, next, "note: its directory has %s; it runs again", why);
             begin(r, j, next++);
         } else {
             nanosleep(&(struct timespec){.tv_nsec = 5000000}, NULL);
@@ -240,10 +240,10 @@ bool tr_grid_run(const tr_grid *g, const tr_grid_options *o, tr_grid_report *rep
     free(r.state);
     free(r.jobs);
     if (stopped(&r))
-        tr_status_fail(st, TR_INTERRUPTED, "stopped: %d of %d points are finished; the same command goes on",
+        tr_status_fail(st, TR_INTERRUPTED, "stopped: %d of %d points are finished; the same command continues",
                        report->before + report->ran, o->end - o->first);
     if (report->failed)
-        tr_status_fail(st, report->code, "error: %d of %d points failed; what each said is in %s/POINT/log",
+        tr_status_fail(st, report->code, "error: %d of %d points failed; their messages are in %s/POINT/log",
                        report->failed, o->end - o->first, o->dir);
     return !st->code;
 }

@@ -240,7 +240,7 @@ static void test_what_is_not_ours_is_refused(void **state) {
     must_save(6), must_save(7);
     assert_int_equal(load("kind: biaxial\nseed: 2 # the sample\nmu: 0.5\n", &instead, &st), -1);
     assert_int_equal(st.code, TR_FILE);
-    assert_non_null(strstr(st.text, "another case: it has `seed: 1`, this one `seed: 2`"));
+    assert_non_null(strstr(st.text, "another case: it has `seed: 1`, this case has `seed: 2`"));
     assert_int_equal(load("kind: biaxial\n", &instead, &st), -1);
     assert_non_null(strstr(st.text, "another case"));
     assert_int_equal(load("kind: biaxial\nseed: 1 # of the sample\nmu: 0.5\n", &instead, &st), -1);
@@ -248,7 +248,7 @@ static void test_what_is_not_ours_is_refused(void **state) {
     size_t n = get(newest, bytes, sizeof bytes);
     bytes[8] = 2; /* the version, behind the magic */
     put(newest, bytes, n);
-    assert_refused("of version 2, by a newer trundle");
+    assert_refused("has version 2, from a newer trundle");
     put(newest, (const unsigned char *)"once upon a time there was a disk", 33);
     remove(before);
     assert_refused("not a checkpoint");
@@ -279,7 +279,7 @@ static void test_other_fields_are_named(void **state) {
     assert_true(tr_checkpoint_open(&c, dir, TR_CHECKPOINT, CASE, &instead, &st));
     tr_checkpoint_field(&c, TR_KEPT_NUMBERS, "b->x", b.x, sizeof *b.x, N);
     assert_false(tr_checkpoint_close(&c));
-    assert_non_null(strstr(st.text, "it has b->steps, this one has not"));
+    assert_non_null(strstr(st.text, "it has b->steps, this build does not"));
 }
 
 /* Of the newest; the checksum is made good. */

@@ -97,7 +97,7 @@ static const bad_case rows[] = {
      "a.yaml:7:13: error: `question` holds a character that is not allowed; it is a line of text\n  question: "
      "\"a\\x1b[31mb\"\n            ^"},
     {GOOD "lesson: {answer: [1, 2]}\n", 0, NULL,
-     "a.yaml:5:18: error: `lesson.answer` must be a single value: to the question\nlesson: {answer: [1, 2]}\n      "
+     "a.yaml:5:18: error: `lesson.answer` must be a single value: answer to the question\nlesson: {answer: [1, 2]}\n      "
      "           ^"},
     {GOOD "label: a\n", 0, NULL,
      "a.yaml:5:1: error: `label` is not for `kind: biaxial`; allowed here: kind, shape, seed, boundary, lesson, "
@@ -135,7 +135,7 @@ static const bad_case rows[] = {
      "a.yaml:2:17: error: `r_min` is -0.001, allowed is 1e-09 to 1000 m\nsample: {r_min: -1 mm, r_max: 2 mm}\n         "
      "       ^"},
     {"kind: biaxial\nsample: {r_min: , r_max: 2 mm}\ncontact: {k_n: 1 MPa}\ncompaction: {pressure: 1 kPa}\n", 0, NULL,
-     "a.yaml:2:17: error: `sample.r_min` has no value: smallest radius; radii uniform up to r_max\nsample: {r_min: , "
+     "a.yaml:2:17: error: `sample.r_min` has no value: smallest radius; radii are uniform from r_min to r_max\nsample: {r_min: , "
      "r_max: 2 mm}\n                ^"},
     {"kind: biaxial\nsample: {r_min: 1 mm;, r_max: 2 mm}\ncontact: {k_n: 1 MPa}\ncompaction: {pressure: 1 kPa}\n", 0,
      NULL,
@@ -144,7 +144,7 @@ static const bad_case rows[] = {
     {"kind: biaxial\nsample: {r_min: sample.r_min, r_max: 2 mm}\ncontact: {k_n: 1 MPa}\ncompaction: {pressure: 1 "
      "kPa}\n",
      0, NULL,
-     "a.yaml:2:17: error: these keys name each other in a circle: sample.r_min -> sample.r_min\nsample: {r_min: "
+     "a.yaml:2:17: error: these keys refer to each other in a circle: sample.r_min -> sample.r_min\nsample: {r_min: "
      "sample.r_min, r_max: 2 mm}\n                ^"},
     {"kind: biaxial\nsample: {r_min: 1e400, r_max: 2 mm}\ncontact: {k_n: 1 MPa}\ncompaction: {pressure: 1 kPa}\n", 0,
      NULL,
@@ -156,7 +156,7 @@ static const bad_case rows[] = {
      "2 mm}\n                ^"},
     {"kind: biaxial\nsample: {r_min: r_max, r_max: 0.5*r_min}\ncontact: {k_n: 1 MPa}\ncompaction: {pressure: 1 kPa}\n",
      0, NULL,
-     "a.yaml:2:31: error: these keys name each other in a circle: sample.r_min -> sample.r_max -> "
+     "a.yaml:2:31: error: these keys refer to each other in a circle: sample.r_min -> sample.r_max -> "
      "sample.r_min\nsample: {r_min: r_max, r_max: 0.5*r_min}\n                              ^"},
     {"kind: biaxial\nsample: {r_min: kind, r_max: 2 mm}\ncontact: {k_n: 1 MPa}\ncompaction: {pressure: 1 kPa}\n", 0,
      NULL,
@@ -190,7 +190,7 @@ static const bad_case rows[] = {
     {"kind: biaxial\nsample: {r_min: 1 mm, r_max: 2 mm}\ncontact: {k_n: 1 MPa, k_t: 2*k_r}\ncompaction: {pressure: 1 "
      "kPa}\n",
      0, NULL,
-     "a.yaml:3:10: error: `contact.k_r` is not given, and its default `k_t` fails: these keys name each other in a "
+     "a.yaml:3:10: error: `contact.k_r` is not given, and its default `k_t` fails: these keys refer to each other in a "
      "circle: contact.k_t -> contact.k_r -> contact.k_t; give `k_r`\ncontact: {k_n: 1 MPa, k_t: 2*k_r}\n         ^"},
     {"kind: biaxial\nsample: {r_min: 1 mm, r_max: 2 mm}\ncontact: {k_n: 1 MPa, normal: liner}\ncompaction: {pressure: "
      "1 kPa}\n",
@@ -237,7 +237,7 @@ static const bad_case rows[] = {
      "--set:1:7: error: unknown key `shear.inertial_numbr` (did you mean `inertial_number`?); allowed here: "
      "lateral_pressure, hold, inertial_number, strain_end, walls\nshear.inertial_numbr=1e-4\n      ^"},
     {GOOD "boundary: periodic\nshear: {walls: rough}\n", 0, NULL,
-     "a.yaml:6:16: error: `boundary: periodic` has no walls to be rough\nshear: {walls: rough}\n               ^"},
+     "a.yaml:6:16: error: `boundary: periodic` has no walls: `walls: rough` is not allowed\nshear: {walls: rough}\n               ^"},
     {GOOD "shear: {hold: mean}\n", 0, NULL,
      "a.yaml:5:15: error: the lateral walls hold their own pressure: `hold: mean` takes `boundary: periodic`\nshear: "
      "{hold: mean}\n              ^"},
@@ -401,7 +401,7 @@ static void bodies_messages(void **state) {
     (void)state;
     static const begin_case rows[] = {
         {GOOD_BODIES "checks: [{exact: 1, tolerance: 1}]\n",
-         "a.yaml:5:10: error: `checks.0.what` is missing: what is measured\n"},
+         "a.yaml:5:10: error: `checks.0.what` is missing: the measured quantity\n"},
         {GOOD_BODIES "checks: [{what: sped, exact: 1, tolerance: 1}]\n",
          "a.yaml:5:17: error: `sped` is not a choice for `what` (did you mean `speed`?); allowed is sliding-velocity | "
          "rolling-velocity | "},
@@ -416,7 +416,7 @@ static void bodies_messages(void **state) {
         {GOOD_BODIES "checks: [{what: speed, exact: 1 rad/s, tolerance: 1}]\n",
          "a.yaml:5:31: error: wrong dimension: this is in s^-1 (`exact` is in m/s)\n"},
         {GOOD_BODIES "checks: [{what: speed, exact: tolerance, tolerance: exact}]\n",
-         "a.yaml:5:53: error: these keys name each other in a circle: "},
+         "a.yaml:5:53: error: these keys refer to each other in a circle: "},
         {GOOD_BODIES "checks: [{what: speed, contact: wall0-0, exact: 1, tolerance: 1}]\n",
          "a.yaml:5:24: error: `checks.0.contact` is not for `what: speed`; allowed here: what, disk, at, over, exact, "
          "tolerance\n"},
@@ -430,9 +430,9 @@ static void bodies_messages(void **state) {
          "a.yaml:5:42: error: `checks.0.over` is not for `what: slip-ends`; allowed here: what, contact, exact, "
          "tolerance\n"},
         {GOOD_BODIES "checks: [{what: creepage, exact: 1, tolerance: 1}]\n",
-         "a.yaml:5:10: error: `checks.0.contact` is missing: on which contact"},
+         "a.yaml:5:10: error: `checks.0.contact` is missing: the contact"},
         {GOOD_BODIES "checks: [{what: creepage, contact: [], exact: 1, tolerance: 1}]\n",
-         "a.yaml:5:10: error: `checks.0.contact` is missing: on which contact"},
+         "a.yaml:5:10: error: `checks.0.contact` is missing: the contact"},
         {GOOD_BODIES "checks: [{what: creepage, contact: [wall0-0, wall1-0], exact: 1, tolerance: 1}]\n",
          "a.yaml:5:46: error: more than 1 contact in `contact`\n"},
         {GOOD_BODIES "checks: [{what: creepage, contact: most-mobilised, exact: 1, tolerance: 1}]\n",
@@ -455,7 +455,7 @@ static void bodies_messages(void **state) {
         {GOOD_BODIES "checks: [{what: spin, at: 1.5 s, exact: 1, tolerance: 1}]\n",
          "a.yaml:5:27: error: `at` is 1.5 s, after `time_end`, which is 1 s\n"},
         {GOOD_BODIES "checks: [{what: spin, at: 0.5, over: 0.6, exact: 1, tolerance: 1}]\n",
-         "a.yaml:5:38: error: `over` is 0.6 s, longer than the run is by then, 0.5 s\n"},
+         "a.yaml:5:38: error: `over` is 0.6 s, longer than the time up to `at`, 0.5 s\n"},
         {GOOD_BODIES "checks: [{what: spin, exact: 1, tolerence: 1}]\n",
          "a.yaml:5:33: error: unknown key `checks.0.tolerence` (did you mean `tolerance`?); allowed here: what, disk, "
          "at, over, exact, tolerance\n"},
@@ -519,7 +519,7 @@ static void patch_messages(void **state) {
         {IN "mu: 0.3\npath: [{force: 1, tangential: -0.2}, {force: 0.5, tangential: -0.2}]\n",
          "a.yaml:4:63: error: the contact slides: "},
         {IN "mu: 0.3\npath: [{force: 1, tangential: 0.1, slide: 1 um}]\n",
-         "a.yaml:4:43: error: `slide` and `tangential` say the same: give one of them\n"},
+         "a.yaml:4:43: error: `slide` and `tangential` mean the same: give one of them\n"},
         {IN "mu: 0.3\npath: [{force: 1, overlap: 1 um}]\n",
          "a.yaml:4:19: error: `path.0.overlap` is not for `kind: patch`"},
         {IN "mu: 0.3\nsolver: carter\npath: [{force: 1, slide: 1 um, roll: 1 um}, {force: 1, slide: 1 um}]\n",
@@ -533,7 +533,7 @@ static void patch_messages(void **state) {
          "larger "
          "`depth` or `Lambda`\n"},
         {IN "mu: 0.3\ndepth: 1\nLambda: 2\npath: [{force: 1}]\n",
-         "a.yaml:4:8: error: `depth` and `Lambda` say the same: give one of them\n"},
+         "a.yaml:4:8: error: `depth` and `Lambda` mean the same: give one of them\n"},
         {IN "mu: 0.3\nlaws: [{}]\npath: [{force: 1}]\n",
          "a.yaml:4:1: error: `laws` is not for `kind: patch`; allowed here: "},
         {"kind: patch\nbodies: {R1: 1, R2: 1, E: 0, nu: 0}\nmu: 0.3\npath: [{force: 1}]\n",
@@ -558,7 +558,7 @@ static void contact_messages(void **state) {
          "a.yaml:4:25: error: `a` stands for `sqrt(4*P*R_star/(pi*E_star))` here, and that fails: `a` is 0, allowed "},
         {PAIR LAWS "path: [{force: 1, a: 3 mm}]\n",
          "a.yaml:4:19: error: `path.0.a` follows from other keys, sqrt(4*P*R_star/(pi*E_star)), and cannot be given\n"},
-        {PAIR LAWS "path: [{force: previous.force}]\n", "a.yaml:4:16: error: these keys name each other in a circle: "},
+        {PAIR LAWS "path: [{force: previous.force}]\n", "a.yaml:4:16: error: these keys refer to each other in a circle: "},
         {PAIR LAWS "path: [{force: 1, slip: 2}]\n",
          "a.yaml:4:19: error: unknown key `path.0.slip` (did you mean "
          "`slide`?); allowed here: force, slide, roll, steps, overlap, time\n"},
@@ -594,12 +594,12 @@ static void contact_messages(void **state) {
         {PAIR "laws: [{normal: hertz-sphere}]\npath: [{force: 1}]\n",
          "a.yaml:3:17: error: the law hertz-sphere is for spheres, and `shape` is disk\n"},
         {PAIR LAWS "path: [{force: 1, overlap: 1 um}]\n",
-         "a.yaml:4:16: error: `force` and `overlap` say the same: give one"},
+         "a.yaml:4:16: error: `force` and `overlap` mean the same: give one"},
         {PAIR LAWS "path: [{overlap: 1 um, slide: P}]\n",
          "a.yaml:4:31: error: `P` stands for `previous.force` here, and that fails: `path.0.force` is not known: "
          "`overlap` is given in its place"},
         {"kind: contact\nbodies: {R1: 1, R2: 1, E: 1, nu: 0, depth: 1, Lambda: 2}\n" LAWS "path: [{force: 1}]\n",
-         "a.yaml:2:55: error: `Lambda` and `depth` say the same: give one"},
+         "a.yaml:2:55: error: `Lambda` and `depth` mean the same: give one"},
         {"kind: contact\nbodies: {R1: 10 mm, R2: 10 mm, E: 70 GPa, nu: 0.3, depth: 99 um}\n" LAWS
          "path: [{force: 1 kN/m}, {force: 60 kN/m}]\n",
          "a.yaml:4:33: error: this presses the contact of `laws.0` as wide as its depth, 9.9e-05 m; give a smaller "
@@ -622,7 +622,7 @@ static void contact_messages(void **state) {
          "sample: {r_min: 1, r_max: 1}\ncompaction: {pressure: 1}\n",
          "a.yaml:2:52: error: `step: exact` of the law hertz-line is for `kind: contact` only\n"},
         {"kind: contact\nbodies: {R1: 1, R2: 1, nu: 0}\n" LAWS "path: [{force: 1}]\n",
-         "a.yaml:2:9: error: `bodies.E` is missing: Young's modulus of both [Pa]\n"},
+         "a.yaml:2:9: error: `bodies.E` is missing: Young's modulus of both bodies [Pa]\n"},
     };
     assert_messages(rows, sizeof rows / sizeof *rows);
 }

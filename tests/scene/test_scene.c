@@ -314,10 +314,10 @@ static void written_text(void **state) {
         "shape: disk                                # disk: a cylinder per metre of length; sphere: moves in the "
         "plane\n"
         "time_end: 0.1                              # time that the run covers [s]\n"
-        "label: \"\"                                  # what tells this document from the others\n"
-        "\nlesson: # for the class\n"
-        "  title: \"\"                                # of the film\n",
-        ("\ncontact: # what two disks do to each other\n"
+        "label: \"\"                                  # name of this document, among several in one file\n"
+        "\nlesson: # texts for the class\n"
+        "  title: \"\"                                # title of the film\n",
+        ("\ncontact: # the laws between two disks\n"
          "  normal: linear                           # law of the normal force\n"),
         "  k_t: 500000                              # stiffness k_t [Pa]\n",
         "\ndisks:\n  - radius: 0.01                           # radius [m]\n",

@@ -102,7 +102,7 @@ static void refuses(void **state) {
         {"", ":1: error: the file is empty; its first line names the columns: u_slide_m,u_roll_m,P_N_per_m"},
         {"u_slide_m,P_N_per_m\n0,0\n", ":1: error: no column u_roll_m in the header line"},
         {"u_slide_m,u_roll_m,P_N\n0,0,0\n", ":1: error: no column P_N_per_m in the header line"},
-        {COLUMNS, ":1: error: no row behind the header line"},
+        {COLUMNS, ":1: error: no row after the header line"},
         {COLUMNS "0,0,1,1\n0,nan,1,2\n", ":3: error: u_roll_m is \"nan\", which is not a number"},
         {COLUMNS "0,0,1,1\n0,inf,1,2\n", ":3: error: u_roll_m is inf: it must be finite"},
         {COLUMNS "0,0,-1,1\n", ":2: error: P_N_per_m is -1: "},

@@ -337,13 +337,12 @@ static void bad(void **state) {
          "3:20: error: give `contact.mu` a list, [0, 0.5], or a range, {from: 0, to: 1, points: "
          "5}; one value belongs to `set`\nvary: {contact.mu: 0.1}\n                   ^"},
         {HEAD "vary: {seed: [1, 2]}\n",
-         "3:8: error: seeds are no values to compare: list them in `seeds`\nvary: {seed: [1, 2]}\n       ^"},
+         "3:8: error: seeds cannot be compared: list them in `seeds`\nvary: {seed: [1, 2]}\n       ^"},
         {HEAD "seeds: 8-1\n",
-         "3:8: error: a seed is a whole number; several are 1-8 or [1, 2, 5]\nseeds: 8-1\n       ^"},
+         "3:8: error: a seed must be a whole number; for several write 1-8 or [1, 2, 5]\nseeds: 8-1\n       ^"},
         {HEAD "seeds: [-1]\n",
-         "3:9: error: a seed is a whole number; several are 1-8 or [1, 2, 5]\nseeds: [-1]\n        ^"},
-        {HEAD "seeds: 1-1000000\n",
-         "3:1: error: 1000000 points; if you mean more than 10000, say --yes\nseeds: 1-1000000\n^"},
+         "3:9: error: a seed must be a whole number; for several write 1-8 or [1, 2, 5]\nseeds: [-1]\n        ^"},
+        {HEAD "seeds: 1-1000000\n", "3:1: error: 1000000 points; --yes allows more than 10000\nseeds: 1-1000000\n^"},
         {HEAD "seeds: 0-18446744073709551615\n",
          "3:8: error: 1.84467e+19 values, allowed is 1 to 1000000\nseeds: 0-18446744073709551615\n       ^"},
         {HEAD "vary: {contact.mu: {from: 0, to: 1, points: 3, scale: log}}\n",
@@ -363,7 +362,7 @@ static void bad(void **state) {
         {HEAD "vary: {contact.mu: [0, 1]}\ncompare: {key: contact.mu_r, to: 1}\n",
          "4:16: error: `contact.mu_r` is not in `vary`\ncompare: {key: contact.mu_r, to: 1}\n               ^"},
         {HEAD "vary: {contact.mu: [0, 1]}\ncompare: {key: contact.mu, to: 2}\n",
-         "4:32: error: `2` is not among the values of `contact.mu`, as they are written there\ncompare: {key: "
+         "4:32: error: `2` is not one of the values of `contact.mu`: write it as it is written there\ncompare: {key: "
          "contact.mu, to: 2}\n"
          "                               ^"},
         {HEAD "seeds: [1]\ncollect: []\n",

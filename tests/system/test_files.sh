@@ -33,7 +33,7 @@ for file in paths.csv contact.csv case.yaml summary.json plot.gp contact.svg his
     paths/wall0-3.csv; do
     rm -rf in && mkdir -p in/paths && cp table.csv "in/$file"
     check "a path called $file in the directory of the results" keeps in refuses contact.yaml --set path="in/$file" -o in
-    check 'both names are in the message' says stderr "in/$file, which is read"
+    check 'both names are in the message' says stderr "in/$file, which this command reads"
     check 'also with --force' keeps in refuses contact.yaml --set path="in/$file" -o in --force
 done
 rm -rf in && mkdir -p in/paths && cp table.csv in/mine.csv && ln in/mine.csv in/contact.csv
@@ -60,10 +60,10 @@ cp card.csv card.before
 measures() { ! "$TRUNDLE" measures card.csv -o "$1" >stdout 2>stderr; }
 check 'a table that is read' measures ./card.csv
 check 'is as it was' cmp card.before card.csv
-check 'both names' says stderr './card.csv would be written over card.csv'
+check 'both names' says stderr './card.csv would replace card.csv'
 measures_part_is_kept() {
     "$TRUNDLE" measures wanted.csv.part -o wanted.csv >stdout 2>stderr
-    [ $? -eq 3 ] && cmp first.csv wanted.csv.part && says stderr 'wanted.csv.part is in the way'
+    [ $? -eq 3 ] && cmp first.csv wanted.csv.part && says stderr 'wanted.csv.part has the name of a result'
 }
 bench() { ! "$TRUNDLE" bench --sizes 100 small.yaml -o small.yaml >stdout 2>stderr; }
 cp small.yaml small.before

@@ -84,7 +84,7 @@ check 'in another directory' gives 0 good.csv -o "$work/out.csv"
 pipe() { "$TRUNDLE" measures /dev/stdin <good.csv >stdout && cmp stdout expected; }
 check 'from a pipe' pipe
 check 'not onto the input itself' gives 3 out.csv -o out.csv
-check 'both names are said' says stderr 'out.csv would be written over out.csv'
+check 'both names are said' says stderr 'out.csv would replace out.csv'
 check 'changes nothing' cmp out.csv expected
 
 # ---- bad input: 2, and nothing written ----

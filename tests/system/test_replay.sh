@@ -53,7 +53,7 @@ check 'a row that is there twice: 2, and where' bad_paths 'sed -i 5p paths.csv' 
 check 'a disk that touches itself: 2, and where' bad_paths \
     'awk -F, -v OFS=, "NR == 5 {\$3 = \$4} 1" paths.csv >p && mv p paths.csv' 'bad/paths.csv:5: error: disk '
 check 'a disk that is not there: 2, and where' bad_paths \
-    'awk -F, -v OFS=, "NR == 5 {\$4 = 4000} 1" paths.csv >p && mv p paths.csv' 'bad/paths.csv:5: error: no such contact: '
+    'awk -F, -v OFS=, "NR == 5 {\$4 = 4000} 1" paths.csv >p && mv p paths.csv' 'bad/paths.csv:5: error: impossible contact: '
 
 stopped() {
     "$TRUNDLE" replay run -n 400 -j 2 -o stopped >stdout 2>stderr </dev/null &

@@ -103,7 +103,7 @@ for signal in INT TERM HUP; do
     kill -s $signal "$pid"
     wait "$pid"
     check "SIG$signal" equals $? 130
-    check 'says how to go on' says stderr '--resume goes on from there'
+    check 'says how to go on' says stderr '--resume continues from there'
     check 'it has a checkpoint, though the first was not due' test -s stopped/checkpoint.bin
     echo cut >stopped/checkpoint.bin.part # as a kill in the middle of a checkpoint leaves it
     copy stopped "stopped$signal"
@@ -116,7 +116,7 @@ start small.yaml -o early $long --set compaction.inertial_number=0.01
 wait_for test -s early/case.yaml
 kill -s INT "$pid"
 wait "$pid"
-check 'SIGINT in the compaction' says stderr 'stopped during compaction; --resume goes on from there'
+check 'SIGINT in the compaction' says stderr 'stopped during compaction; --resume continues from there'
 # shellcheck disable=SC2086
 check 'the same without a stop' run_gives 0 small.yaml -o late $long --set compaction.inertial_number=0.01
 # shellcheck disable=SC2086
@@ -134,8 +134,8 @@ refuses() { # WHY ARGUMENTS...
 }
 copy stoppedINT refused
 # shellcheck disable=SC2086
-check 'another case is refused' refuses 'is of another case: it has `seed: 3' small.yaml $long --set seed=4
-check 'another kind too' refuses 'is of another case' bodies.yaml
+check 'another case is refused' refuses 'is from another case: it has `seed: 3' small.yaml $long --set seed=4
+check 'another kind too' refuses 'is from another case' bodies.yaml
 check 'nothing was touched' untouched refused
 poke() { printf "$1" | dd of=refused/checkpoint.bin bs=1 seek="$2" conv=notrunc 2>/dev/null; }
 poke '\377\377\377' 5000
@@ -148,7 +148,7 @@ check 'a truncated one is refused' refuses 'cut short: 5000 bytes of' small.yaml
 copy stoppedINT refused
 poke '\2' 8
 # shellcheck disable=SC2086
-check 'a newer one is refused' refuses 'version 2, by a newer trundle' small.yaml $long
+check 'a newer one is refused' refuses 'version 2, from a newer trundle' small.yaml $long
 copy stoppedINT refused
 truncate -s 200 refused/history.csv
 # shellcheck disable=SC2086
@@ -165,7 +165,7 @@ wait "$pid" 2>/dev/null
 [ -s two/checkpoint.bin ] || cp two/checkpoint.bin.old two/checkpoint.bin # it was killed between the two renames
 truncate -s 100 two/checkpoint.bin
 check 'of two the older is whole' ends_as full full.yaml two
-check 'and it says why' says stderr 'from the checkpoint before the last: error: two/checkpoint.bin is cut short'
+check 'and it says why' says stderr 'continued from the older checkpoint: error: two/checkpoint.bin is cut short'
 
 # ---- full disk ----
 full_disk() { # SIZE: whenever it is full, room is made, and the run goes on

@@ -124,7 +124,7 @@ check 'and ends with the same bytes' same killed two
 rm -r killed
 killed 2 TERM
 check 'asked to stop: code 130' equals $code 130
-check 'it says how far it is' says stderr 'of 12 points are finished; the same command goes on'
+check 'it says how far it is' says stderr 'of 12 points are finished; the same command continues'
 check 'started again' sweep_gives 0 sweep.yaml -o killed
 check 'it ends with the same bytes' same killed two
 # Runs of minutes, which do not end by themselves while this waits.
@@ -155,17 +155,17 @@ check 'is done again' says stdout '11 finished before, 1 run now, 0 failed'
 : >"$(echo two/mu_r=0,*wang,seed=5)/summary.json"
 check 'a summary is empty: that point' sweep_gives 0 sweep.yaml -o two
 check 'is done again' says stdout '11 finished before, 1 run now, 0 failed'
-check 'which is told' says stderr 'seed=5): note: its directory holds a summary.json that is not whole; it is done again'
+check 'which is told' says stderr 'seed=5): note: its directory has an incomplete summary.json; it runs again'
 sed -i 's/"version": "[^"]*"/"version": "0.0.1"/; s/"sin_phi_peak": .*,/"sin_phi_peak": 9,/' two/mu_r=0,*wang,seed=8/summary.json
 check 'of another version: not collected' sweep_gives 0 sweep.yaml -o two --collect
 check 'as it says' says stderr '1 of 12 points are not finished and left out'
 check 'it is done again' sweep_gives 0 sweep.yaml -o two
-check 'which is told' says stderr 'seed=8): note: its directory holds a run of another version of trundle; it is done again'
+check 'which is told' says stderr 'seed=8): note: its directory has a run of another version of trundle; it runs again'
 check 'and all is as before' same two one
 sed -i 's/mu: 0.5/mu: 0.4/' small.yaml
 check 'another base case' sweep_gives 0 sweep.yaml -o two
 check 'all are done again' says stdout '0 finished before, 12 run now, 0 failed'
-check 'which is told' says stderr 'seed=3): note: its directory holds another case; it is done again'
+check 'which is told' says stderr 'seed=3): note: its directory has another case; it runs again'
 sed -i 's/mu: 0.4/mu: 0.5/' small.yaml
 sed 's/\[3, 5, 8\]/[3, 5, 8, 9]/; s/bagi-kuhn\]/bagi-kuhn, alonso-min]/' sweep.yaml >wider.yaml
 check 'more seeds and values' sweep_gives 0 wider.yaml -o one
@@ -207,7 +207,7 @@ check 'a sweep of bodies' sweep_gives 0 bodies-sweep.yaml -o bodies
 check 'has no packings' not test -e bodies/samples
 
 # ---- bad input: nothing is run, nothing made ----
-no_sample() { run_gives 2 bodies.yaml -o none --sample x.bin && says stderr '--sample is of kind: biaxial'; }
+no_sample() { run_gives 2 bodies.yaml -o none --sample x.bin && says stderr '--sample needs a case of kind: biaxial'; }
 check '--sample of a kind that has none' no_sample
 sed 's/mu_r:/mu_R:/; /compare/d' sweep.yaml >bad.yaml
 check 'an unknown key' sweep_gives 2 bad.yaml -o bad
@@ -217,7 +217,7 @@ sed 's/\[0, 1.2\]/[]/' sweep.yaml >bad.yaml
 check 'an empty list' sweep_gives 2 bad.yaml -o bad
 sed 's/seeds.*/seeds: 1-250000/' sweep.yaml >bad.yaml
 check 'a million points' sweep_gives 2 bad.yaml -o bad --list
-check 'unless they are meant' says stderr '1000000 points; if you mean more than 10000, say --yes'
+check 'unless they are meant' says stderr '1000000 points; --yes allows more than 10000'
 sed 's/^compare.*/collect: [sin_phi]/' sweep.yaml >bad.yaml
 check 'a number that no summary has' sweep_gives 2 bad.yaml -o killed
 check 'its line' says stderr 'bad.yaml:6:11: error: no number `sin_phi` will be in the summary.json of point 0'

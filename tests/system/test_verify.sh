@@ -27,7 +27,7 @@ exact_only() { is_silent awk '$1 != "exact"' stdout; }
 check 'has that group alone' exact_only
 
 check 'the default group: every number is right' gives 0 -o out
-check 'says so' says stdout 'numbers are where they should be'
+check 'says so' says stdout 'numbers are right'
 check 'nothing is wrong' not grep -q FAILED stdout
 check 'nothing on standard error' equals "$(cat stderr)" ''
 
