@@ -3,9 +3,9 @@
  *
  * Box2D computes in float, in metres of a game, with a fixed fat margin of 0.1: a millimetre disk would be smaller than
  * the margin and every pair a candidate. So lengths are scaled to a unit of two mean diameters, an origin is
- * subtracted, and boxes are rounded outward. The tree only proposes; the gap is then checked in double, so that this
+ * subtracted, and boxes are rounded outward. The tree only proposes pairs. The gap is then checked in double, so this
  * finder and brute force give the same pairs. Every disk is queried at every call: Box2D's own UpdatePairs reports a
- * pair once and would miss it when disks part and meet again. No exception leaves this file.
+ * pair once and would miss it if disks part and meet again. No exception leaves this file.
  *
  * In a periodic cell the images of a disk's box that meet any disk of the cell are queried too: those of disks within
  * r + r_max + skin of an edge (r + skin would miss pairs at the corners, and large partners).
@@ -20,8 +20,8 @@ extern "C" {
 #include <new>
 #include <vector>
 
-/* Box2D does not look at what its allocator returns. These two take the place of its own, here and inside the library, and
- * throw where there is no memory. */
+/* Box2D does not check its allocator. These two replace it, here and inside the library, and throw if memory runs
+ * out. */
 void *b2Alloc_Default(int32 size) {
     void *memory = std::malloc(static_cast<std::size_t>(size));
     if (!memory) throw std::bad_alloc();
@@ -33,11 +33,11 @@ void b2Free_Default(void *memory) {
 
 namespace {
 
-/* The queries of one thread, and what it found. */
+/* The queries of one thread, and the pairs that it found. */
 struct Share {
     std::vector<int> near; /* partners of the disk that is being queried */
     std::vector<int> a, b;
-    bool failed; /* out of memory, which must not leave a thread as an exception */
+    bool failed; /* out of memory: no exception may leave a thread */
 };
 
 struct Box2d {
@@ -58,7 +58,7 @@ struct Box2d {
     }
 };
 
-/* What b2DynamicTree::Query calls. Only partners with a larger number: each pair once. */
+/* b2DynamicTree::Query calls this. Only partners with a larger number: each pair once. */
 struct Collect {
     const Box2d *self;
     const tr_broad_input *input;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Pair finding: which disks are closer than a skin. Two finders behind one row: Box2D's tree, and brute force (the
- * oracle, and all that a handful of disks needs). No physics.
+ * oracle, and enough for a handful of disks). No physics.
  *
- * In a periodic cell a pair is a disk and the nearest image of the other one. So that no other image is near too, each
- * side of the cell is longer than 2 (2 r_max + skin): the caller sees to that. Centres are in one cell, edges included.
+ * In a periodic cell a pair is a disk and the nearest image of the other one. Each side of the cell must be longer than
+ * 2 (2 r_max + skin), so that no other image is near. The caller ensures this. Centres are in one cell, edges included.
  */
 #ifndef TR_BROAD_H
 #define TR_BROAD_H
@@ -22,9 +22,9 @@ typedef struct tr_pairs {
 typedef struct tr_broad_input {
     int n;
     const double *pos;
-    double skin;        /* pairs with gap |X21| - R1 - R2 < skin are wanted, no others are given [m] */
-    const double *cell; /* two sides of the periodic cell [m]; NULL: there is none */
-    tr_threads *threads; /* that share the work; NULL: one */
+    double skin;        /* exactly the pairs with gap |X21| - R1 - R2 < skin are found [m] */
+    const double *cell; /* two sides of the periodic cell [m]; NULL: no cell */
+    tr_threads *threads; /* threads for the work; NULL: one */
 } tr_broad_input;
 
 typedef struct tr_broad_finder {

@@ -8,7 +8,7 @@
 /* Refuses non-finite positions, which Box2D would take silently. */
 bool tr_broad_check(const tr_broad_input *input, tr_status *st);
 
-/* gap(a, b) < skin, in double: the one definition of a pair for every finder. */
+/* gap(a, b) < skin, in double: every finder uses this definition of a pair. */
 bool tr_broad_near(const tr_broad_input *input, int a, int b);
 
 #endif
