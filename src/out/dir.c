@@ -66,7 +66,7 @@ bool tr_dir_holds(const char *dir, const char *name, const char *text, bool *sam
     return !st->code;
 }
 
-/* A file that is gone on with may have a second name, in a copy by hard links: it gets an inode of its own first. */
+/* A file that is continued may have a second name, in a copy by hard links. It first gets its own inode. */
 static bool unshare(const char *part, tr_status *st) {
     struct stat info;
     char copy[TR_PATH + 8], bytes[1 << 14];
@@ -103,7 +103,7 @@ static bool open_part(tr_file *file, const char *path, const char *mode, tr_stat
 }
 
 bool tr_file_open_path(tr_file *file, const char *path, tr_status *st) {
-    return open_part(file, path, "wx", st); /* what stands under the name of the part is the user's */
+    return open_part(file, path, "wx", st); /* a file with the name of the part is the user's */
 }
 
 bool tr_file_open(tr_file *file, const char *dir, const char *name, tr_status *st) {
@@ -118,7 +118,7 @@ bool tr_file_reopen(tr_file *file, const char *dir, const char *name, tr_status 
     if (!tr_dir_path(path, dir, name, st) || !tr_made_add(dir, name, st) || !open_part(file, path, "a", st))
         return false;
     fseek(file->stream, 0, SEEK_END);
-    file->kept = ftell(file->stream); /* all of it, until it is known better */
+    file->kept = ftell(file->stream); /* all of it, until the length is known */
     return true;
 }
 

@@ -16,7 +16,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* All results that are no frames and no paths. The mark of a finished run comes first, then the checkpoint, which needs the
+/* All results except frames and paths. The mark of a finished run comes first, then the checkpoint, which needs the
  * rest: an interrupted removal leaves an unfinished run. */
 static const char *const results[] = {
     "summary.json", "checkpoint.bin", "history.csv", "contacts.csv", "disks.csv",         "case.yaml",
@@ -26,7 +26,7 @@ static const char *const results[] = {
 };
 enum { N_RESULTS = sizeof results / sizeof *results };
 
-/* A name stands for what it leaves while it is written, and what it replaces. */
+/* A name includes its parts while it is written, and the file that it replaces. */
 static const char *const endings[] = {"", ".part", ".old"};
 enum { N_ENDINGS = sizeof endings / sizeof *endings };
 
@@ -93,7 +93,7 @@ static void list_free(list *l) {
 /* The first line, by which a list is known. */
 static const char title[] = "# files that trundle has written here, - those that it has removed again\n";
 
-/* Whether the text is a list, or what a killed run has left of its first line. */
+/* Whether the text is a list, or the start of its first line that a killed run has left. */
 static bool is_list(const char *text, size_t size) {
     size_t n = size < sizeof title - 1 ? size : sizeof title - 1;
     return !memcmp(text, title, n);
@@ -148,7 +148,8 @@ static bool sync_list(int fd, const char *dir) {
     return ok;
 }
 
-/* At the end of the open list, which nobody else writes to now. What a killed run has torn gets its end first. */
+/* At the end of the open list; no other process writes to it now. A line that a killed run has torn is first
+ * completed. */
 static bool append(int fd, const char *names) {
     struct stat info;
     char last = '\n';
@@ -182,7 +183,7 @@ static bool list_forget(const list *l, const char *dir, tr_status *st) {
     return ok;
 }
 
-/* ---- what stands in a directory ---- */
+/* ---- the files of a directory ---- */
 
 /* Calls look() for each file that has the name of a result, an ending included; stops at the first false. */
 typedef bool looker(void *context, const char *dir, const char *name, tr_status *st);
@@ -355,7 +356,7 @@ static bool differ(void *context, const char *dir, const char *name, tr_status *
     return tr_dir_path(path, dir, name, st) && tr_made_differ(path, context, st);
 }
 
-/* An input that is not there yet: it must not stand where a result will be. */
+/* An input that does not exist yet must not have the path of a result. */
 static bool stands_apart(const char *dir, const char *input, tr_status *st) {
     const char *slash = strrchr(input, '/'), *name = slash ? slash + 1 : input;
     char folder[TR_PATH], place[TR_PATH], bare[TR_PATH];

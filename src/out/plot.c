@@ -87,8 +87,8 @@ bool tr_plot_available(void) {
     return tr_program_available("gnuplot");
 }
 
-/* gnuplot, working in dir, silent. -d: without the user's settings. A process group of its own: Ctrl-C must not leave
- * half a picture. code: what it ends with; -1: a signal. False: it did not start. */
+/* gnuplot, working in dir, silent. -d: without the user's settings. It has its own process group, so that Ctrl-C leaves
+ * no half picture. code: its exit code; -1: a signal. False: it did not start. */
 static bool run_gnuplot(const char *dir, int *code, tr_status *st) {
     char *const argv[] = {"gnuplot", "-d", "-e", "part = '.part'", "plot.gp", NULL};
     posix_spawn_file_actions_t actions;
@@ -98,7 +98,7 @@ static bool run_gnuplot(const char *dir, int *code, tr_status *st) {
     posix_spawnattr_init(&attr);
     posix_spawnattr_setflags(&attr, POSIX_SPAWN_SETPGROUP);
     posix_spawn_file_actions_init(&actions);
-    int error = posix_spawn_file_actions_addchdir_np(&actions, dir); /* without it gnuplot would write elsewhere */
+    int error = posix_spawn_file_actions_addchdir_np(&actions, dir); /* otherwise gnuplot would write elsewhere */
     if (!error) error = posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     if (!error) error = posix_spawnp(&child, argv[0], &actions, &attr, argv, environ);
     posix_spawn_file_actions_destroy(&actions);
@@ -126,8 +126,8 @@ static bool keep(const char *part, const char *path, const char *end, size_t siz
     return code || tr_status_fail(st, TR_FILE, "error: cannot write %s: gnuplot did not finish it", path);
 }
 
-/* Runs plot.gp, and names its two pictures. The names are made first: when memory is short, gnuplot does not start, and
- * leaves no parts. */
+/* Runs plot.gp, and names its two pictures. The names are made first: if memory is short, gnuplot does not start, and
+ * no parts are left. */
 static bool draw(const char *dir, const char *stem, int *code, tr_status *st) {
     static const char svg_end[] = "</svg>\n\n", png_end[] = "IEND\xae\x42\x60\x82";
     char name[2][32], path[2][TR_PATH], *part[2] = {NULL};

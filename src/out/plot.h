@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The curves of a run, by gnuplot: biaxial.svg and biaxial.png beside history.csv, or contact.svg and contact.png beside
- * contact.csv, and plot.gp that makes them, for a student to change and run again. */
+/* The curves of a run, by gnuplot: biaxial.svg and biaxial.png beside history.csv, or contact.svg and contact.png
+ * beside contact.csv, and plot.gp that makes them, for a student to change and run again. */
 #ifndef TR_PLOT_H
 #define TR_PLOT_H
 
@@ -10,12 +10,12 @@
 
 bool tr_plot_available(void); /* is gnuplot on the PATH? */
 
-/* caption: one line above the curves; strain_end: of the axis. *code: gnuplot's exit code; if it is not 0 there are no
- * pictures, which is no failure of the run. TR_FILE: a file cannot be written. */
+/* caption: one line above the curves; strain_end: of the axis. *code: gnuplot's exit code. If it is not 0, there are no
+ * pictures, but the run does not fail. TR_FILE: a file cannot be written. */
 bool tr_plot_biaxial(const char *dir, const char *caption, double strain_end, int *code, tr_status *st);
 
-/* The same for a contact along a path. label[i]: what law i of the table is called in the legend; rolling: some law has
- * moments, which get a panel of their own; shape: of the bodies, for the units. */
+/* The same for a contact along a path. label[i]: name of law i in the legend; rolling: some law has moments, and they
+ * get their own panel; shape: of the bodies, for the units. */
 bool tr_plot_contact(const char *dir, const char *const *label, int n_laws, bool rolling, tr_shape shape, int *code,
                      tr_status *st);
 

@@ -42,7 +42,7 @@ tr_strength tr_summary_strength(const tr_series *s) {
     return r;
 }
 
-/* What is not finite has no number: null. */
+/* A number that is not finite is null. */
 static void add(json_t *object, const char *key, double value) {
     json_object_set_new(object, key, isfinite(value) ? json_real(value) : json_null());
 }
@@ -78,7 +78,7 @@ static void add_by_shape(json_t *object, tr_shape shape, const char *key, double
     add(object, tr_param_by_shape(key, shape, part), value);
 }
 
-/* The passes that ran, and what the scene did not need and so was not built. */
+/* The passes that ran, and the parts that were left out because the scene does not need them. */
 static void add_pipeline(json_t *o, const tr_world *world) {
     json_t *passes = json_object(), *out = json_array();
     for (int k = 0; k < world->n_groups; k++) {
@@ -102,7 +102,8 @@ static void add_pipeline(json_t *o, const tr_world *world) {
     json_object_set_new(o, "left_out", out);
 }
 
-/* jansson's calls go on without what they found no memory for. That malloc found none since begin() stays in errno. */
+/* If memory is short, jansson's calls leave parts out and continue. errno then still says that malloc failed since
+ * begin(). */
 static char *finish(json_t *o, const tr_timing *timing, tr_status *st) {
     json_t *t = json_object();
     add(t, "wall_s", timing->wall_s);
@@ -116,7 +117,7 @@ static char *finish(json_t *o, const tr_timing *timing, tr_status *st) {
     return st->code ? NULL : line;
 }
 
-/* What each mechanism holds and has taken; the names are those of history.csv. */
+/* Energy that each mechanism stores and has taken; the names are those of history.csv. */
 static json_t *energy_of(tr_shape shape, const tr_energy *e) {
     const struct {
         const char *name;
@@ -210,7 +211,7 @@ char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, 
 static void add_lane(json_t *o, const tr_scene *scene, const tr_bodies *b) {
     json_object_set_new(o, "n_disks", json_integer(scene->n_disks));
     add(o, "dt_s", b->world.dt);
-    add(o, "dt_bound_s", b->dt_bound); /* null: nothing that touches can vibrate */
+    add(o, "dt_bound_s", b->dt_bound); /* null: no contact can vibrate */
     json_object_set_new(o, "steps", json_integer(b->steps));
     json_object_set_new(o, "contact_updates", json_integer(b->world.contact_updates));
     add_pipeline(o, &b->world);

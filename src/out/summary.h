@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* summary.json: what a finished run found. Written last: it marks the run as finished. */
+/* summary.json: the results of a run. It is written last and marks the run as finished. */
 #ifndef TR_SUMMARY_H
 #define TR_SUMMARY_H
 
@@ -10,17 +10,18 @@
 
 typedef struct tr_timing {
     double wall_s,
-        contact_updates_per_s; /* of the shear (biaxial) or the whole run (bodies, contact), outputs left out of bodies */
+        contact_updates_per_s; /* of the shear (biaxial) or the whole run (bodies, contact), outputs left out of
+                                * bodies */
 } tr_timing;
 
-/* Rows of the shear as the summary needs them. */
+/* The rows of the shear, for the summary. */
 typedef struct tr_series {
     int n;
     double *strain, *sin_phi, *void_ratio;
     tr_measures *measures;
 } tr_series;
 
-/* What a biaxial test is quoted by. */
+/* The main results of a biaxial test. */
 typedef struct tr_strength {
     double sin_phi_peak;     /* largest running mean over 0.5 % strain */
     double strain_peak;      /* strain at the middle of that window */
@@ -54,21 +55,21 @@ typedef struct tr_check_result {
 
 /* How good the two strengths of one sample are, with 95 %: study/spread.h. */
 typedef struct tr_accuracy {
-    char row[160];          /* the measured spread that it is from; "": none fits this case, and there are no numbers */
+    char row[160];          /* the measured spread that it uses; "": none fits this case, so there are no numbers */
     char not_examined[120]; /* then: why */
     struct tr_strength_accuracy {
-        double half;            /* the mean of all samples is within that of this one [1] */
+        double half;            /* the mean of all samples differs by at most this [1] */
         double aim;             /* a smaller half-width, */
-        int seeds;              /* and how many seeds it takes */
-        double step, step_half; /* what half the step would change, and half of its interval [1] */
+        int seeds;              /* number of seeds for that */
+        double step, step_half; /* change by half the step, and half of its interval [1] */
     } strength[2];              /* peak, residual */
 } tr_accuracy;
 typedef struct tr_strength_accuracy tr_strength_accuracy;
 
 tr_strength tr_summary_strength(const tr_series *series);
 
-/* Text of summary.json (free()); NULL: out of memory. energy may be NULL. paths_bytes: size of paths.csv, by which a
- * replay knows that it is whole; 0: there is none. All but "timing" is the same from run to run of the same case. */
+/* Text of summary.json (free()); NULL: out of memory. energy may be NULL. paths_bytes: size of paths.csv: a replay
+ * checks it; 0: no such file. Runs of the same case give the same text, except "timing". */
 char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, double unbalanced,
                          const tr_strength *strength, double mean_stress_2, const tr_energy *energy,
                          int64_t paths_bytes, const tr_accuracy *accuracy, const tr_timing *timing, tr_status *st);

@@ -28,7 +28,7 @@ static const json_t *find(const json_t *at, const char *name) {
     }
 }
 
-/* NULL: it is not there, or is not whole. With TR_FILE: there is no telling, it cannot be read. */
+/* NULL: it does not exist or is incomplete. With TR_FILE: it cannot be read. */
 static json_t *load(const char *path, tr_status *st) {
     FILE *file = tr_regular_open(path, st);
     if (!file) return NULL;
@@ -77,7 +77,7 @@ typedef struct listing {
     void *context;
 } listing;
 
-/* name has room for one key more, at `used`. */
+/* name has room for one more key, at `used`. */
 static void list(const listing *l, json_t *at, char name[TR_SUMMARY_NAME], size_t used) {
     const char *key;
     json_t *value;

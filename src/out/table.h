@@ -47,13 +47,14 @@ void tr_row_biaxial(tr_row *row, const tr_biaxial_state *state, const tr_measure
 /* Further cells of it, with output.increments. R: mean radius of the disks [m]. */
 void tr_row_increments(tr_row *row, const tr_increments_state *state, double R);
 
-/* The cells of a row of contacts.csv: every touching contact is one. strain < 0: there is none (bodies). */
+/* The cells of a row of contacts.csv: every touching contact is one. strain < 0: bodies have none. */
 void tr_row_contact(tr_row *row, double time, double strain, const tr_record *record);
 
 /* Further cells of it, with output.increments. */
 void tr_row_increment(tr_row *row, const tr_increment *increment);
 
-/* One row of disks.csv of a biaxial test. v_r: mean |V_r| over its touching contacts [m/s], of which there are `ends`. */
+/* One row of disks.csv of a biaxial test. v_r: mean |V_r| over its touching contacts [m/s], of which there are
+ * `ends`. */
 void tr_row_sample(tr_row *row, double time, double strain, const tr_world *world, int i, double v_r, int ends);
 
 /* The cells of a row of history.csv of bodies: one disk. */
