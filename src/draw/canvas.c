@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The off-screen picture, its PNG file, and the strokes of a picture to come. A PNG of one IDAT is a zlib stream between a few bytes:
- * ISA-L makes the stream in a fifth of the time of the zlib in libpng, for runs of a colour cost it nothing, and libpng writes it as a
- * chunk. No filters: edges between flat colours grow by them. */
+/* The off-screen picture, its PNG file, and the recorded strokes of a later picture. A PNG of one IDAT is a zlib stream
+ * between a few bytes: ISA-L makes the stream in a fifth of the time of libpng's zlib, because runs of one colour cost
+ * nothing, and libpng writes it as a chunk. No filters: they would make edges between flat colours larger. */
 #include "draw/canvas.h"
 
 #include "base/alloc.h"
@@ -68,7 +68,7 @@ const unsigned char *tr_canvas_pixels(const tr_canvas *canvas) {
     return cairo_image_surface_get_data(canvas->surface);
 }
 
-/* Rows as PNG has them, each behind its filter (0: none). */
+/* Rows in the form of PNG, each after its filter (0: none). */
 enum { ROW = 1 + 3 * TR_FRAME_WIDTH, BYTES = ROW * TR_FRAME_HEIGHT };
 
 TR_VECTOR static void set_rows(unsigned char *restrict to, const unsigned char *restrict pixel) {
@@ -79,14 +79,15 @@ TR_VECTOR static void set_rows(unsigned char *restrict to, const unsigned char *
     }
 }
 
-/* What is needed to encode. The zlib stream never grows by more than 5 bytes in each 65535, and its ends. */
+/* Buffers for encoding. The zlib stream grows at most by 5 bytes in each 65535, and by its ends. */
 struct tr_png {
     struct isal_zstream stream;
     unsigned char rows[BYTES], packed[BYTES + BYTES / 1000 + 100], level[ISAL_DEF_LVL2_DEFAULT];
 };
 
 #ifdef __x86_64__
-/* ISA-L leaves the upper halves of the vector registers in use; until they are given up, the SSE code of Cairo takes a tenth longer. */
+/* ISA-L leaves the upper halves of the vector registers in use. Until they are released, Cairo's SSE code takes a tenth
+ * longer. */
 __attribute__((target("avx"))) static void give_up_upper_halves(void) {
     __builtin_ia32_vzeroupper();
 }
@@ -162,7 +163,7 @@ bool tr_canvas_png(tr_canvas *canvas, const char *path, tr_status *st) {
     return tr_canvas_encode(canvas, st) && tr_canvas_write(canvas, path, st);
 }
 
-/* Pixel for pixel, in the place of what was there. */
+/* Replaces every pixel. */
 static void put(tr_canvas *canvas, cairo_surface_t *picture) {
     cairo_save(canvas->cr);
     cairo_identity_matrix(canvas->cr);

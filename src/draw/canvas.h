@@ -8,9 +8,9 @@
 /* NULL and TR_FILE when memory is short. Free with tr_canvas_free (NULL is allowed). */
 tr_canvas *tr_canvas_create(tr_status *st);
 
-/* A canvas without pixels, which only keeps the strokes: a tenth of the time of drawing. To replay gives the pixels
- * that drawing would have given, later and by any thread: what the view pointed to may be gone. It is for one picture,
- * and for nothing but to be replayed. like: the canvas before, or NULL; it takes the letters of that. */
+/* A canvas without pixels that only records strokes, in a tenth of the time of drawing. A replay gives the same pixels
+ * as drawing, later and in any thread; the data of the view may be gone by then. It serves for one picture, and only
+ * for replay. like: the canvas before, whose letters it takes, or NULL. */
 tr_canvas *tr_canvas_record(const tr_canvas *like, tr_status *st);
 bool tr_canvas_replay(tr_canvas *canvas, const tr_canvas *strokes, tr_status *st);
 void tr_canvas_free(tr_canvas *canvas);
@@ -18,8 +18,8 @@ void tr_canvas_free(tr_canvas *canvas);
 /* The pixels, row by row from the top, 4 bytes each: blue, green, red, unused. */
 const unsigned char *tr_canvas_pixels(const tr_canvas *canvas);
 
-/* Two halves, the work and the file: what the canvas shows is compressed in its memory, then written to path.part,
- * which is renamed to path. On failure TR_FILE: path is as it was, no part is left. */
+/* Two halves, the work and the file. The picture is compressed in memory, then written to path.part, which is renamed
+ * to path. On failure TR_FILE: path stays as it was, and no part is left. */
 bool tr_canvas_encode(tr_canvas *canvas, tr_status *st);
 bool tr_canvas_write(const tr_canvas *canvas, const char *path, tr_status *st);
 

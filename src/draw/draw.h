@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Pictures of a world: frames of 1280 x 720 drawn off-screen, saved as PNG or sent to a film.
  *
- * A canvas may be drawn over. What to draw is a tr_view or a tr_show; nothing is read from
- * anywhere else, and the same view gives the same pixels. In all strings `_` lowers the next character: "V_s". */
+ * A canvas may be drawn over. It draws a tr_view or a tr_show and reads nothing else. The same view gives the same
+ * pixels. In all strings `_` lowers the next character: "V_s". */
 #ifndef TR_DRAW_H
 #define TR_DRAW_H
 
@@ -20,32 +20,32 @@ typedef struct tr_view_line {
     const char *label, *value;
 } tr_view_line;
 
-/* What a frame of an assembly shows. For a film that does not flicker keep range, f_mean and the box the same in all of
- * its frames. */
+/* The contents of a frame of an assembly. For a film without flicker keep range, f_mean and the box the same in all
+ * frames. */
 typedef struct tr_view {
     const tr_world *world;
     const tr_record *record; /* touching contacts */
     int n_records;
     tr_color color;        /* field that colours the contacts, or, with `fill`, the disks */
-    const double *fill;    /* of each disk [1, m/s or rad]: then contacts are not drawn; NULL: they are */
+    const double *fill;    /* of each disk [1, m/s or rad]; contacts are then not drawn. NULL: contacts are drawn */
     double range;          /* end of the colour bar, of TR_COLOR_SPIN both ends; 0: chosen from this frame */
     double f_mean;         /* normal force drawn as a line of mean width [N/m]; 0: this frame's mean */
     double x0, y0, x1, y1; /* part of the plane that is shown, x0 < x1, y0 < y1 [m] */
-    double time, time_end; /* [s]; the unit in print is chosen by time_end, so that it stays */
-    const char *title;     /* NULL: none, the picture takes its place */
+    double time, time_end; /* [s]; time_end chooses the printed unit, so that it does not change */
+    const char *title;     /* NULL: no title, the picture uses its room */
     const tr_view_line *line;
     int n_lines;
     const tr_patch_state *inset; /* the inside of the contact of disks inset_a and inset_b; NULL: none */
     const tr_patch_pair *inset_pair;
     int inset_a, inset_b;
-    double inset_law; /* Q/(mu P) of the inset's contact by the law of the run; that of the inset is in its state */
+    double inset_law; /* Q/(mu P) of the inset's contact by the law of the run; the inset has its own in its state */
 } tr_view;
 
 typedef struct tr_canvas tr_canvas;
 
 /* ---- films of a few bodies ---- */
 
-/* What the class is told of a contact: values that it must have. NaN: not said. A definition of V_s (V_r) whose value is
+/* Values that a contact must have, as the class is told. NaN: not told. A definition of V_s (V_r) whose value is
  * off by more than 1 % of the range of the bars is marked as wrong. */
 typedef struct tr_expect {
     int a, b;        /* as in tr_record */
@@ -58,7 +58,7 @@ typedef struct tr_show_check {
     bool ok;
 } tr_show_check;
 
-/* One of the scenes that a film shows side by side; most films have one. */
+/* One of the scenes of a film, side by side; most films have one. */
 typedef struct tr_show_lane {
     const char *label; /* NULL: none */
     const tr_world *world;
@@ -69,7 +69,7 @@ typedef struct tr_show_lane {
     double x0, y0, x1,
         y1; /* part of the turned plane that is shown, of (x cos tilt - y sin tilt, x sin tilt + y cos tilt)
                               [m] */
-    const double *trace; /* way of the contact points so far: x, y, in the plane that is not turned; NaN, NaN lifts
+    const double *trace; /* path of the contact points so far: x, y, in the plane before turning; NaN, NaN lifts
                               the pen [m] */
     int n_trace;         /* points */
     const tr_expect *expect;
@@ -79,7 +79,7 @@ typedef struct tr_show_lane {
     int inset_a, inset_b;
 } tr_show_lane;
 
-/* Curves over time, one or two a lane: beside the bars, or in their place where there are lanes. */
+/* Curves over time, one or two a lane: beside the bars or, with several lanes, instead of them. */
 typedef struct tr_chart {
     const char *name[2];                  /* of the curves of a lane: "V_s", "V_r", or "speed", NULL */
     const char *unit;                     /* SI: "m/s", "1" */
@@ -94,7 +94,7 @@ typedef struct tr_show {
     const char *title, *equation; /* NULL: none. equation: with its Wang number, "Δa = −Δb   [Wang eq. 2]" */
     double time, time_end;        /* [s] */
     double slower;                /* film time / time of the motion; 1: as it is */
-    double range;                 /* speed of a full bar or longest arrow; not positive: of this frame [m/s] */
+    double range;                 /* speed of a full bar or longest arrow; 0 or less: from this frame [m/s] */
     const tr_show_lane *lane;
     int n_lanes;           /* 1 to TR_MAX_LANES */
     const tr_chart *chart; /* NULL: none */
@@ -104,11 +104,11 @@ typedef struct tr_show {
     int n_checks;
 } tr_show;
 
-/* One instant of the inside of a line contact. For a film that does not flicker give it the ranges. */
+/* One instant of the inside of a line contact. For a film without flicker set the ranges. */
 typedef struct tr_patch_view {
     const tr_patch_pair *pair;
     const tr_patch_state *state; /* P = 0: the contact is open */
-    double v_slide, v_roll;      /* du and dr of the path per unit of anything: only signs and ratio are drawn */
+    double v_slide, v_roll;      /* du and dr of the path, in any unit: only signs and ratio are drawn */
     double a_max, p_max;         /* largest half-width [m] and pressure [Pa]; 0: of this state */
     double slip_max;             /* of a step, end of the colour bar [m]; 0: of this state */
     double progress;             /* of the path, 0 to 1 */

@@ -48,6 +48,6 @@ double tr_frame_range_bodies(const tr_world *world, const tr_record *record, int
         max = fmax(max, fmax(hypot(v[0], v[1]), fabs(v[2]) * world->disks.pos[4 * i + 3]));
     }
     for (int i = 0; i < n; i++) max = fmax(max, fmax(fabs(record[i].v_s), fabs(record[i].v_r)));
-    /* Bars are cut at the range: a hundredth over it, as a dashpot's last flutter gives, must not halve them all. */
+    /* Bars are cut at the range: a value a hundredth above it, as from a dashpot, must not halve all bars. */
     return max > 1e-100 && isfinite(max) ? tr_frame_round_up(0.98 * max) : 1;
 }

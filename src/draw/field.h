@@ -6,11 +6,11 @@
 #include "core/record.h"
 #include "core/world.h"
 
-/* A round end for the colour bar: smallest 1, 2 or 5 times a power of ten that covers 95 % of the speeds of the
- * contacts; 1 for the other fields, and where all is at rest. [1 or m/s] */
+/* A round end for the colour bar: the smallest 1, 2 or 5 times a power of ten that covers 95 % of the speeds of the
+ * contacts. 1 for the other fields, and if everything rests. [1 or m/s] */
 double tr_frame_range(const tr_record *record, int n, tr_color color);
 
-/* The field in a contact: mobilisation, |v_s|, |v_r|, or the share of the width that slips; only that one needs the
+/* The field in a contact: mobilisation, |v_s|, |v_r|, or the part of the width that slips; only the last needs the
  * world. */
 double tr_frame_field(const tr_world *world, const tr_record *record, tr_color color);
 

@@ -10,7 +10,7 @@ static const char *const files[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans
 enum { N_FILES = sizeof files / sizeof *files };
 static const cairo_user_data_key_t of_context[N_FILES], of_face;
 
-/* What FreeType has open for a face; no two share it, for it takes one thread at a time. */
+/* FreeType's data of a face. Each face has its own, because FreeType allows one thread at a time. */
 typedef struct source {
     FT_Library library;
     FT_Face file;
@@ -27,7 +27,7 @@ static void release(void *face) {
     cairo_font_face_destroy(face);
 }
 
-/* NULL without a failure: there is no such file. */
+/* NULL without a failure: no such file. */
 static cairo_font_face_t *load(const char *file, tr_status *st) {
     source *s = tr_alloc(1, sizeof *s, st);
     if (!s) return NULL;

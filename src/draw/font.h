@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The letters of all pictures, from the files of DejaVu Sans, by FreeType and without fontconfig: that ends the program
- * where memory is short, and what a machine has configured must not change the pixels. Where the files are not, Cairo
+/* The letters of all pictures, from the files of DejaVu Sans, by FreeType, without fontconfig: fontconfig ends the
+ * program if memory is short, and settings of a machine must not change the pixels. If the files are missing, Cairo
  * chooses a font. */
 #ifndef TR_FONT_H
 #define TR_FONT_H
@@ -8,7 +8,7 @@
 #include "base/status.h"
 #include <cairo.h>
 
-/* Gives a context its letters, those of `like` if that is not NULL: drawn letters are kept with them. */
+/* Gives a context its letters. If `like` is not NULL, it takes the letters of `like`, with those already drawn. */
 bool tr_font_give(cairo_t *cr, cairo_t *like, tr_status *st);
 
 /* For the text to come. */

@@ -51,7 +51,8 @@ typedef struct tr_head {
 /* White ground, title, side panel. Returns its first free line [px]. */
 double tr_frame_head(cairo_t *cr, const tr_head *head);
 
-/* The sequential palette from 0 to range, or the diverging one from -range, in the panel; y: base line of its label [px]. */
+/* The sequential palette from 0 to range, or the diverging one from -range, in the panel; y: base line of its label
+ * [px]. */
 void tr_frame_color_bar(cairo_t *cr, const char *name, double range, const tr_unit *unit, bool diverging, double y);
 
 /* The time, with one digit more than its end needs. */
@@ -66,8 +67,8 @@ tr_map tr_frame_map(tr_box box, double scale, double x0, double y0, double x1, d
 /* A round length, at the left; y: base line of its label. Returns where the label ends [px]. */
 double tr_frame_scale_bar(cairo_t *cr, double scale, double y);
 
-/* Starts a frame of a world: the above with its time, scale bar, view box as large as fits.
- * *panel_y: first free line of the panel [px]. scale 0: the box is empty or not finite, there is nothing to draw. */
+/* Starts a frame of a world: all of the above, with time, scale bar, and the largest view box that fits.
+ * *panel_y: first free line of the panel [px]. scale 0: the box is empty or not finite, so nothing is drawn. */
 tr_map tr_frame_start(cairo_t *cr, const tr_view *view, double *panel_y);
 
 tr_point tr_frame_point(const tr_map *map, double x, double y);

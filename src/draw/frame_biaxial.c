@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* A biaxial test: packing, force network over it, walls with what drives them. Of a periodic cell the outline; the images
- * within a diameter around it are drawn too, and then paled.
+/* A biaxial test: packing, force network over it, walls with what drives them. Of a periodic cell the outline; the
+ * images within a diameter around it are drawn too, and then paled.
  *
  * Where disks are too small for lines over them, and to see how far each has spun, the disks themselves are coloured.
  *
  * Cost is in strokes, so all disks are filled as one path (rims first, then the slightly smaller bodies: two fills cost
- * less than one stroke), as polygons, and contact lines are quadrilaterals, one path for each of a few dozen colours. */
+ * less than one stroke), as polygons, and contact lines are quadrilaterals, one path for each of a few dozen
+ * colours. */
 #include "draw/frame_biaxial.h"
 
 #include "core/cell.h"
@@ -35,7 +36,8 @@ static tr_point partner_point(const tr_view *view, const tr_map *map, int a, int
     return tr_frame_point(map, q[0] + image[0] * side[0], q[1] + image[1] * side[1]);
 }
 
-/* A regular polygon that leaves the circle by at most 1/8 px, half outwards, half inwards: for that Cairo takes twice the corners. */
+/* A regular polygon that leaves the circle by at most 1/8 px, half outwards, half inwards: for that Cairo takes twice
+ * the corners. */
 static void add_disk(cairo_t *cr, tr_point centre, double radius) {
     int n = (int)fmax(8, ceil(M_PI * sqrt(2 * radius)));
     double c = cos(2 * M_PI / n), s = sin(2 * M_PI / n), x = radius * (1.5 - 0.5 * cos(M_PI / n)), y = 0;
@@ -174,8 +176,8 @@ static void walls_of_cell(const tr_periodic_cell *cell, tr_wall wall[4]) {
     }
 }
 
-/* Bars along the box that the four walls make, thin ones of a cell; a loaded wall gets a row of pressure arrows, a driven one an arrow its
- * way. */
+/* Bars along the box that the four walls make, thin ones of a cell; a loaded wall gets a row of pressure arrows, a
+ * driven one an arrow its way. */
 static void draw_walls(cairo_t *cr, const tr_view *view, const tr_map *map) {
     tr_wall made[4];
     const tr_wall *wall = view->world->wall;

@@ -150,7 +150,7 @@ static double draw_head(cairo_t *cr, const tr_patch_view *view) {
     return tr_frame_head(cr, &(tr_head){view->title, "path", done, view->line, view->n_lines});
 }
 
-/* x where it is a number between the smallest and largest that can be drawn, else 0. */
+/* x if it can be drawn, else 0. */
 static double sane(double x) {
     return x > 1e-100 && x < 1e100 ? x : 0;
 }

@@ -5,7 +5,8 @@
 
 #include "draw/draw.h"
 
-/* The two bodies, where their contact sticks and where it slips which way, and the traction within Coulomb's bound. */
+/* The two bodies, where the contact sticks, where it slips and in which direction, and the traction within Coulomb's
+ * bound. */
 void tr_draw_patch(tr_canvas *canvas, const tr_patch_view *view);
 
 #endif

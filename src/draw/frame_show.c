@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A film of a few bodies: where everything goes.
+/* A film of a few bodies: the layout.
  *
  *     title                                     time        cells: one stage, or a grid of the lanes, all to one scale
  *     equation                                              panel: checks, bars, inset, chart. Where lanes have neither
@@ -88,7 +88,7 @@ static double scale_of(const tr_grid *grid, const tr_show *show) {
     return isfinite(scale) ? scale : 0;
 }
 
-/* As many columns as make the pictures largest. */
+/* The number of columns that makes the pictures largest. */
 static tr_grid lay_grid(cairo_t *cr, const tr_show *show, tr_box box) {
     tr_grid best = {.rows = 1, .columns = 1, .scale = -1};
     for (int columns = 1; columns <= show->n_lanes; columns++) {

@@ -30,7 +30,7 @@ static void add_bar(cairo_t *cr, tr_point p, tr_point t, double from, double to,
     cairo_close_path(cr);
 }
 
-/* Of all contacts what slips, or what sticks. */
+/* The slipping part, or the sticking part, of all contacts. */
 static void add_bars(cairo_t *cr, const tr_view *view, const tr_map *map, double mean, bool slips, double thick) {
     const double R = mean_radius(view->world);
     for (int k = 0; k < tr_frame_images(view) * view->n_records; k++) {

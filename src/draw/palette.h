@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Colours that stay apart for colour-blind eyes and in grey print.
  *
- * The sequential palette runs from light to dark, because frames have a white ground: what is high must stand out. */
+ * The sequential palette runs from light to dark, because frames have a white ground: high values must stand out. */
 #ifndef TR_PALETTE_H
 #define TR_PALETTE_H
 

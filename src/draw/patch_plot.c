@@ -108,13 +108,13 @@ static void draw_bound(const tr_patch_plot *p) {
     cairo_set_line_width(cr, 2.5);
     cairo_stroke(cr);
     tr_text at = {.x = p->x0 + p->a + 0.3 * p->text, .size = p->text, .hue = TR_FAINT};
-    at.y = p->y0 - fmax(0.45 * most, 0.35 * p->text); /* clear of the axis, however low the bound */
+    at.y = p->y0 - fmax(0.45 * most, 0.35 * p->text); /* clear of the axis, also for a low bound */
     tr_pen_text(cr, at, "+μp");
     at.y = p->y0 + fmax(0.45 * most, 0.25 * p->text) + 0.75 * p->text;
     tr_pen_text(cr, at, "−μp");
 }
 
-/* Steps where they can be told apart, else through the middles: thin steps make a ragged line. */
+/* Steps where they are wide enough, else a line through the middles: thin steps look ragged. */
 static void draw_tau(const tr_patch_plot *p) {
     cairo_t *cr = p->cr;
     const tr_patch_state *s = p->state;
@@ -133,7 +133,7 @@ static void draw_tau(const tr_patch_plot *p) {
     cairo_set_line_join(cr, CAIRO_LINE_JOIN_MITER);
 }
 
-/* -1, 0, 1 stay readable where the contact is all but open: their numbers keep apart. */
+/* -1, 0, 1 stay readable when the contact is nearly open: their numbers keep a distance. */
 static void draw_axis(const tr_patch_plot *p) {
     static const char *const number[] = {"−1", "0", "1"};
     double bottom = p->y0 + p->half, apart = fmax(p->a, 1.7 * p->text);
@@ -168,7 +168,7 @@ void tr_patch_plot_draw(const tr_patch_plot *p) {
             "no contact, no traction");
 }
 
-/* Its own scale: hatched where it sticks, and from light to dark what has slipped since the solver's step before. */
+/* Its own scale: hatched where it sticks; from light to dark the slip since the last step of the solver. */
 static void draw_scale(const tr_patch_plot *p, double x, double y, double width) {
     const double box = 1.6 * p->text, high = 0.75 * p->text, ramp = 3 * p->text;
     char label[48] = "no slip", number[24];

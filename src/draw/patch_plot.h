@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The tractions in one line contact over x/a: Coulomb's bound +-mu p as a grey area, tau, and between tau and
- * the axis what happens there: hatched where it sticks, coloured by the size of the slip of the step where it slips.
+ * the axis what happens there: hatched where it sticks, coloured by the slip of the step where it slips.
  *
- * Hatching and arrows of slip sit at fixed places of the picture and are uncovered by the zones: from frame to frame
- * nothing moves but the edges of the zones. A column of pixels shows the element in its middle. */
+ * Hatching and arrows of slip sit at fixed places of the picture and are uncovered by the zones: between frames only
+ * the edges of the zones move. A column of pixels shows the element in its middle. */
 #ifndef TR_PATCH_PLOT_H
 #define TR_PATCH_PLOT_H
 
@@ -30,10 +30,10 @@ double tr_patch_slip_range(const tr_patch_state *state);
 /* Bound, zones, tau, and the axis of x/a. */
 void tr_patch_plot_draw(const tr_patch_plot *plot);
 
-/* The zones alone, as a band over the width of the contact. */
+/* Only the zones, as a band over the width of the contact. */
 void tr_patch_plot_band(const tr_patch_plot *plot, double top, double bottom);
 
-/* Arrows along y where it slips, the way of slip (way 1) or against it (-1). */
+/* Arrows along y where it slips, in the direction of slip (way 1) or against it (-1). */
 void tr_patch_plot_arrows(const tr_patch_plot *plot, double y, int way);
 
 /* The hatching of stick in a rectangle. */

@@ -29,7 +29,7 @@ static size_t utf8_bytes(const unsigned char *s) {
     return valid ? n : 0;
 }
 
-/* A title may be a file name, which may be any bytes; Cairo draws nothing more after a string that is no UTF-8. */
+/* A title may be a file name of any bytes. After a string that is not UTF-8, Cairo draws nothing more. */
 static void make_utf8(char *text) {
     for (size_t n; *text; text += n) {
         n = utf8_bytes((const unsigned char *)text);
@@ -107,7 +107,7 @@ double tr_pen_text(cairo_t *cr, tr_text at, const char *given) {
     return width;
 }
 
-/* Bytes of text that go into one line; at least a word. */
+/* Bytes of text that fit into one line; at least a word. */
 static size_t line_bytes(cairo_t *cr, tr_text at, const char *text) {
     char line[512];
     size_t taken = 0;
@@ -198,7 +198,8 @@ void tr_pen_arc(cairo_t *cr, tr_point c, double radius, double from, double swee
     if (!(radius > 0) || sweep == 0) return;
     double sign = sweep > 0 ? 1 : -1;
     if (head) {
-        /* the shaft stops inside the head, whose point ends the sweep; an arc of less than a head is not drawn */
+        /* the shaft stops inside the head, and the point of the head ends the sweep; an arc shorter than a head is not
+         * drawn */
         double back = 0.85 * head_length(width) / radius, a = from + sweep;
         if (fabs(sweep) < back) return;
         sweep -= sign * back;

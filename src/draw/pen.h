@@ -11,7 +11,7 @@
 struct tr_canvas {
     cairo_surface_t *surface;
     cairo_t *cr;
-    struct tr_png *png; /* of what tr_canvas_encode saw */
+    struct tr_png *png; /* of tr_canvas_encode */
 };
 
 typedef enum tr_align { TR_LEFT, TR_CENTRE, TR_RIGHT } tr_align;
@@ -22,7 +22,7 @@ typedef struct tr_text {
     double room; /* longest allowed width, longer text is set smaller [px]; 0: any */
     tr_align align;
     bool bold;
-    bool halo;    /* a white rim, to be read over whatever lies below */
+    bool halo;    /* a white rim, readable on any ground */
     unsigned hue; /* 0 (black) means TR_INK */
 } tr_text;
 
@@ -36,7 +36,7 @@ void tr_pen_rgb(cairo_t *cr, tr_rgb color);
 /* Text in DejaVu Sans, UTF-8; `_` lowers the next character. Returns its width [px]. */
 double tr_pen_text(cairo_t *cr, tr_text at, const char *given);
 
-/* The width alone; room is not looked at. */
+/* Only the width; ignores room. */
 double tr_pen_width(cairo_t *cr, tr_text at, const char *given);
 
 /* Words of a text in at most n_lines lines, of at.room or narrower; at.size is the largest that is tried. Returns the

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The parts of tr_draw_show: the stage on which the bodies of a lane move, and what stands beside it. Only frame_show.c
- * knows where a part goes: each draws into the rectangle that it is given. */
+/* The parts of tr_draw_show: the stage on which the bodies of a lane move, and the parts beside it. Only frame_show.c
+ * knows the places: each part draws into its rectangle. */
 #ifndef TR_SHOW_H
 #define TR_SHOW_H
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* A velocity as a bar and a number.
  *
- * What differs from what the class is told (tr_expect) gets a cross, and its bar is hatched: wrong is seen without
- * colours too. */
+ * A value that differs from what the class is told (tr_expect) gets a cross and a hatched bar, so that it is seen
+ * without colours too. */
 
 #include "draw/show_bar.h"
 
@@ -51,7 +51,7 @@ void tr_bar_draw(cairo_t *cr, tr_box box, const tr_bar *bar) {
     char number[32], text[48];
     bool beside = box.w >= 190;
     double size = beside ? fmin(0.78 * box.h, 22) : fmin(0.58 * box.h, 20), mark = 0.9 * size;
-    /* where room is scarce, crosses only */
+    /* where room is short, crosses only */
     bool verdict = !isnan(bar->expected) && (box.w > 80 || tr_bar_wrong(bar));
     double value = beside ? (bar->with_unit ? 6 : 3.6) * size : box.w, room = box.w - (verdict ? 1.1 * mark : 0);
     tr_box strip = beside ? (tr_box){box.x, box.y + 3, box.w - value - (bar->told ? 1.3 * mark : 0), box.h - 6}

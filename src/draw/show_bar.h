@@ -5,7 +5,7 @@
 
 #include "draw/frame.h"
 
-/* A velocity as a bar within +-range, and its number: beside it where there is room, else above. */
+/* A velocity as a bar within +-range, and its number: beside the bar if there is room, else above. */
 typedef struct tr_bar {
     double value, expected, range; /* expected NaN: not said */
     const tr_unit *unit;
@@ -13,7 +13,7 @@ typedef struct tr_bar {
     bool told; /* keep room for a verdict */
 } tr_bar;
 
-/* The class is told otherwise: off by more than 1 % of the range. */
+/* The value differs from what the class is told, by more than 1 % of the range. */
 bool tr_bar_wrong(const tr_bar *bar);
 void tr_bar_draw(cairo_t *cr, tr_box box, const tr_bar *bar);
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Curves over time: their names with the values now, axes over the whole film, and where the closed form says that
- * something happens. A lane is told by its colour and by the shape at the end of its curves; a second curve is dashed. */
+/* Curves over time: their names with the values now, axes over the whole film, and the times of events by the closed
+ * form. Each lane has a colour, and a shape at the end of its curves; a second curve is dashed. */
 
 #include "draw/show_chart.h"
 
@@ -123,7 +123,7 @@ static void draw_mark(const tr_axes *a, double x, double top, double bottom, uns
     cairo_set_dash(a->cr, NULL, 0, 0);
 }
 
-/* What the marks are is said beside the only one; of many lanes after the names of the curves, at (x, y). */
+/* The meaning of the marks is beside a single mark; for many lanes it follows the names of the curves, at (x, y). */
 static void draw_marks(const tr_axes *a, double x, double y) {
     const int n = a->show->n_lanes;
     int marks = 0;

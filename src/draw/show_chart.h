@@ -5,7 +5,7 @@
 
 #include "draw/frame.h"
 
-/* Colour and shape that stand for a lane wherever it is named; of one lane alone those of its first curve. */
+/* Colour and shape of a lane, wherever it is named. A single lane has those of its first curve. */
 unsigned tr_lane_hue(int n_lanes, int lane);
 void tr_lane_marker(cairo_t *cr, tr_point at, double size, int n_lanes, int lane);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Walls, the angle of a slope, and the way of the contact points. */
+/* Walls, the angle of a slope, and the path of the contact points. */
 
 #include "draw/show_ground.h"
 
@@ -20,7 +20,7 @@ static bool stretch_of(const tr_stage *s, const tr_wall *wall, tr_stretch *w) {
     w->origin = tr_stage_point(s, wall->x, wall->y);
     w->normal = (tr_point){n.x, -n.y};
     w->along = (tr_point){n.y, n.x};
-    /* around the middle of the stage: the point by which an endless wall is given may be far away */
+    /* around the middle of the stage: the given point of an endless wall may be far away */
     double near =
         (s->box.x + s->box.w / 2 - w->origin.x) * w->along.x + (s->box.y + s->box.h / 2 - w->origin.y) * w->along.y;
     double reach = hypot(s->box.w, s->box.h);
@@ -71,7 +71,7 @@ void tr_ground_trace(const tr_stage *s) {
     }
     cairo_set_line_cap(s->cr, CAIRO_LINE_CAP_ROUND);
     cairo_set_dash(s->cr, dots, 2, 0);
-    tr_pen_hue(s->cr, TR_WHITE); /* a rim, to be seen on a floor */
+    tr_pen_hue(s->cr, TR_WHITE); /* a rim, visible on a floor */
     cairo_set_line_width(s->cr, 6);
     cairo_stroke_preserve(s->cr);
     tr_pen_hue(s->cr, TR_INK);
@@ -98,8 +98,8 @@ static bool find_slope(const tr_stage *s, double room, tr_point *foot, double *u
     return false;
 }
 
-/* Below the floor, where no body comes: a level line uphill, and the angle from it to the floor. Where there is no room
- * for it at the lower end, the number alone. */
+/* Below the floor, free of bodies: a level line uphill, and the angle from it to the floor. Without room at the lower
+ * end, only the number. */
 void tr_ground_slope(const tr_stage *s) {
     const double size = 24, level = fmin(130, 0.25 * s->box.w), radius = 0.74 * level;
     if (!isfinite(s->lane->slope)) return;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What bodies stand on and leave behind. */
+/* Floors and walls, and the traces of contact points. */
 #ifndef TR_DRAW_SHOW_GROUND_H
 #define TR_DRAW_SHOW_GROUND_H
 

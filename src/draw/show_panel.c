@@ -58,7 +58,7 @@ static void draw_heading(tr_rows *rows) {
     rows->y += rows->height;
 }
 
-/* What the rims have rolled. */
+/* How far the rims have rolled. */
 static void draw_arcs(tr_rows *rows) {
     double most = 0;
     for (int i = 0; i < rows->shown; i++)

@@ -9,7 +9,7 @@
  * left out: the arcs, then the last definitions; then all, and it returns false. */
 bool tr_panel_bars(cairo_t *cr, tr_box box, const tr_show_lane *lane, double range);
 
-/* Height that the table of checks wants [px]; those that do not fit are counted in its last line. */
+/* Height that the table of checks wants [px]; its last line counts the rows that do not fit. */
 double tr_panel_checks_height(const tr_show_check *check, int n);
 void tr_panel_checks(cairo_t *cr, tr_box box, const tr_show_check *check, int n);
 

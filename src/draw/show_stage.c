@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The bodies of a lane: what the rims have rolled, and how fast centres and rims move.
+/* The bodies of a lane: how far the rims have rolled, and how fast centres and rims move.
  *
  * Arcs lie inside their own rim, so that the two of a contact never cover each other; those of a disk's next contact
- * lie further in. An arc of a turn or more is a faint ring and what is left of it. Names come last and have a white rim:
- * whatever moves below them, they are read. On a disk too small for a mark the mark is left out. */
+ * lie further in. An arc of a turn or more is a faint ring and the rest of the arc. Names come last and have a white
+ * rim, so that they are always readable. A disk that is too small for a mark has none. */
 #include "draw/show_stage.h"
 
 #include "draw/arc.h"

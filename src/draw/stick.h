@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What of the width of a contact sticks. */
+/* The part of the width of a contact that sticks. */
 #ifndef TR_DRAW_STICK_H
 #define TR_DRAW_STICK_H
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Films: raw frames through a socket to ffmpeg; GIFs: ffmpeg again, from the finished film.
  *
- * A socket rather than a pipe, because send() can be told not to raise SIGPIPE when ffmpeg dies. ffmpeg gets a process
- * group of its own, so that Ctrl-C reaches only us and the film so far is still ended properly. Its messages go to
- * memory: they are shown as the reason of a failure and nowhere else. */
+ * A socket rather than a pipe, because send() can be told not to raise SIGPIPE when ffmpeg dies. ffmpeg gets its own
+ * process group, so that Ctrl-C reaches only trundle and the film so far ends properly. ffmpeg's messages go to memory
+ * and are shown only as the reason of a failure. */
 #include "draw/video.h"
 
 #include "base/alloc.h"
@@ -26,7 +26,7 @@ extern char **environ;
 struct tr_video {
     char *path, *part;
     pid_t pid;
-    int input, log; /* our end of the socket; where ffmpeg complains */
+    int input, log; /* our end of the socket; the messages of ffmpeg */
     int frames;     /* whole frames sent */
     bool broken;    /* a frame was cut short */
 };
@@ -35,13 +35,14 @@ bool tr_video_available(void) {
     return tr_program_available("ffmpeg");
 }
 
-/* "file:" and the path: a URL of its own protocol, so that a colon or a dash in the path means nothing. NULL: no memory. */
+/* "file:" and the path: a URL of its own protocol, so that a colon or a dash in the path means nothing. NULL: no
+ * memory. */
 static char *url_of(const char *path, tr_status *st) {
     char *url = tr_alloc(strlen(path) + sizeof "file:", 1, st);
     return url ? strcat(strcpy(url, "file:"), path) : NULL;
 }
 
-/* part: what it writes. input: -1 for none */
+/* part: the file that it writes. input: -1 for none */
 static bool spawn(pid_t *pid, const char *const args[], const char *part, int input, int log, tr_status *st) {
     posix_spawn_file_actions_t files;
     posix_spawnattr_t attr;
@@ -101,7 +102,7 @@ tr_video *tr_video_open(const char *path, int frames_per_second, tr_status *st) 
     return NULL;
 }
 
-/* ffmpeg's complaints, without the line break at the end; "" if it had none. */
+/* ffmpeg's messages, without the line break at the end; "": none. */
 static void read_log(int log, char *text, size_t size) {
     ssize_t n = pread(log, text, size - 1, 0);
     while (n > 0 && text[n - 1] == '\n') n--;
@@ -127,8 +128,8 @@ bool tr_video_frame(tr_video *v, const tr_canvas *canvas, tr_status *st) {
     return true;
 }
 
-/* Waits for ffmpeg and reads what it says. On a full disk it ends with code 0 and a film that does not play; only its words
- * tell. */
+/* Waits for ffmpeg and reads its messages. On a full disk it ends with code 0 and a film that does not play; only its
+ * messages show it. */
 static bool succeeds(pid_t pid, int log, char *said, size_t size) {
     int exit_status = -1;
     while (waitpid(pid, &exit_status, 0) < 0 && errno == EINTR) {
@@ -157,8 +158,8 @@ bool tr_video_close(tr_video *v, bool keep, tr_status *st) {
     return ok;
 }
 
-/* Every k-th frame of the film, so that motion stays even. The film is read twice, once for the palette of all its frames:
- * ffmpeg would otherwise hold them in memory. No dithering: the pictures are flat colours. */
+/* Every k-th frame of the film, so that motion stays even. The film is read twice, once for the palette of all its
+ * frames: ffmpeg would otherwise hold them in memory. No dithering: the pictures are flat colours. */
 static bool run_gif(const char *film, const char *part, int log, int frames_per_second, char *said, size_t size,
                     tr_status *st) {
     char filter[200];

@@ -13,14 +13,15 @@ bool tr_video_available(void);
 /* Starts ffmpeg writing path.part, H.264 in MP4. NULL and TR_FILE when it cannot start. */
 tr_video *tr_video_open(const char *path, int frames_per_second, tr_status *st);
 
-/* Appends what the canvas shows. TR_FILE, and ffmpeg's own words, when it has died; tr_video_close is still due. */
+/* Appends what the canvas shows. If ffmpeg has died: TR_FILE and ffmpeg's message; tr_video_close must still be
+ * called. */
 bool tr_video_frame(tr_video *video, const tr_canvas *canvas, tr_status *st);
 
-/* Ends the film and frees it. With all frames taken renames path.part to path; otherwise, or with keep = false, removes
+/* Ends the film and frees it. With all frames taken renames path.part to path; otherwise, or if keep is false, removes
  * it. False and TR_FILE when ffmpeg failed or no frame was sent. NULL is allowed and true. */
 bool tr_video_close(tr_video *video, bool keep, tr_status *st);
 
-enum { TR_GIF_RATE = 12 }; /* at most so many frames a second */
+enum { TR_GIF_RATE = 12 }; /* largest number of frames a second */
 
 /* Writes the film as a GIF: 640 pixels wide, endless, every k-th frame. On failure TR_FILE and no file. */
 bool tr_video_gif(const char *film, const char *path, int frames_per_second, tr_status *st);
