@@ -3,8 +3,8 @@
 
 #include "laws/law.h"
 
-/* The biaxial test of cases/biaxial.yaml: what is not said here is default. E_star, and k_r by itself, are for the laws
- * that --features puts in. */
+/* The biaxial test of cases/biaxial.yaml: keys that are missing here have their defaults. E_star and k_r are for the
+ * laws that --features adds. */
 static const char default_case[] = "kind: biaxial\n"
                                    "sample: {r_min: 0.76 mm, r_max: 1.52 mm}\n"
                                    "contact: {k_n: 160 MPa, mu: 0.5, mu_r: 0.5, k_r: 0.5*k_n, E_star: 2.5*k_n}\n"

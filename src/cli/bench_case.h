@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What trundle bench is asked for, and its case. */
+/* Options of trundle bench, and its case. */
 #ifndef TR_CLI_BENCH_CASE_H
 #define TR_CLI_BENCH_CASE_H
 
@@ -11,7 +11,7 @@ typedef struct tr_bench_arguments {
     int n_set;
     bool features;
     int threads; /* 0: one */
-    int largest; /* of --sizes; 0: not asked for */
+    int largest; /* of --sizes; 0: not given */
 } tr_bench_arguments;
 
 /* Reads its case with these further n settings. */

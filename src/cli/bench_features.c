@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* trundle bench --features: what does a feature cost, and does what is left out cost nothing?
+/* trundle bench --features: the cost of each feature, and a test that a part that is left out costs nothing.
  *
- * The first scene has all: the case's normal, friction and rolling law, and the ledger. The others shear its packing with less
- * (features one at a time) or with another law in one slot (without ledger: to compare with `+ rolling`). Frames are added by
- * calculation: time of drawing one, over the steps between two frames of the case. */
+ * The first scene has all: the case's normal, friction and rolling law, and the ledger. The others shear its packing
+ * with less (features one at a time) or with another law in one slot (without ledger: to compare with `+ rolling`).
+ * Frames are added by calculation: time of drawing one, over the steps between two frames of the case. */
 #include "cli/bench_features.h"
 
 #include "base/alloc.h"
@@ -18,7 +18,7 @@
 #include <string.h>
 
 static const double BARE_AT_MOST = 0.75; /* of the time of the full scene */
-static const double PART = 1.0 / 16; /* of the shear: so short blocks that no scene leaves the packing of the first */
+static const double PART = 1.0 / 16;     /* of the shear: blocks so short that all scenes stay near the first packing */
 
 enum { FULL, BARE, FRICTION, ROLLING, LAWS, MAX_ROWS = 32 };
 
@@ -32,7 +32,7 @@ typedef struct table {
 static int declared(const tr_scene *s) {
     int disks = tr_laws_normal[s->contact.normal.law]->n_hist,
         spins = tr_laws_friction[s->contact.friction.law]->n_hist + tr_laws_rolling[s->contact.rolling.law]->n_hist;
-    return 2 * disks + (s->shear.walls ? 2 : 1) * spins; /* smooth walls have the normal law alone */
+    return 2 * disks + (s->shear.walls ? 2 : 1) * spins; /* smooth walls have only the normal law */
 }
 
 static bool add(table *t, const tr_bench_arguments *a, const char *group, const char *name, const char *const *set,
@@ -47,7 +47,7 @@ static bool add(table *t, const tr_bench_arguments *a, const char *group, const 
     return true;
 }
 
-/* Every other law of a slot; why one is not for this case, the reader says. */
+/* Every other law of this kind. If a law does not fit the case, the reader says why. */
 static void add_laws(table *t, const tr_bench_arguments *a, const char *slot, const tr_law *const *laws, int n,
                      int given) {
     for (int i = 0; i < n; i++) {
@@ -62,8 +62,8 @@ static void add_laws(table *t, const tr_bench_arguments *a, const char *slot, co
     }
 }
 
-/* Creep by the rolling of Wang, beside his moment: the case of `make creep`. Nothing where the case has no E_star: told
- * above. */
+/* Creep by the rolling of Wang, beside his moment: the case of `make creep`. Skipped if the case has no E_star (see
+ * above). */
 static void add_wang_creep(table *t, const tr_bench_arguments *a) {
     static const char *const set[] = {"contact.friction=dahlberg-alfredsson", "contact.creep_roll=wang"};
     tr_status why = {0};

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* trundle bench --packing DIR: the half of tests/bench/peers.sh that is ours. Its lines are in the form of LAMMPS' thermo output. */
+/* trundle bench --packing DIR: trundle's half of tests/bench/peers.sh. Its lines have the form of LAMMPS' thermo
+ * output. */
 #include "cli/bench_packing.h"
 
 #include "cli/bench_case.h"

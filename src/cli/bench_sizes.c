@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* trundle bench --sizes: what does a step cost with 100 disks, and with a million? */
+/* trundle bench --sizes: time of a step from 100 disks to a million. */
 #include "cli/bench_sizes.h"
 
 #include "cli/bench_case.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a step costs with more disks. */
+/* Time of a step against the number of disks. */
 #ifndef TR_CLI_BENCH_SIZES_H
 #define TR_CLI_BENCH_SIZES_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* trundle: arguments in, printing out; everything else is below. Exit codes: base/status.h. */
+/* trundle: arguments in, printing out; other folders do the work. Exit codes: base/status.h. */
 #include "base/status.h"
 #include "base/version.h"
 #include <fcntl.h>
@@ -40,7 +40,7 @@ static int usage(FILE *to, int code) {
     return code;
 }
 
-/* A standard stream that the caller closed must not become the number of a file of results. */
+/* If the caller closed a standard stream, no file of results may get its number. */
 static void open_standard_streams(void) {
     int fd;
     do fd = open("/dev/null", O_RDWR);

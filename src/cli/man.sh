@@ -15,7 +15,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir -p "$dir"
 rm -f "$dir"/*.1
-ln -s "$trundle" "$work/trundle" # the pages speak of `trundle`, wherever it is
+ln -s "$trundle" "$work/trundle" # the pages say `trundle`, not its path
 PATH=$work:$PATH
 
 # see_also WORDS...: a section with these pages
@@ -24,7 +24,7 @@ see_also() {
     printf '.BR %s (1)\n' "$@" | sed '$!s/$/,/'
 }
 
-# page NAME PROGRAM DOC: help2man knows no program of two words, so the name is mended.
+# page NAME PROGRAM DOC: help2man cannot name a program of two words, so sed mends the name.
 page() {
     upper=$(echo "$1" | tr '[:lower:]' '[:upper:]')
     help2man --no-info --include "$work/more" --version-string "$version" --name "$3" "$2" |

@@ -139,7 +139,7 @@ static void print_head(const column *c, int line, bool last) {
     printf("%6.*s%s", line ? 6 : (int)(split - text), text, last ? "\n" : "  ");
 }
 
-/* What each definition is; lines of the formula stand below each other. */
+/* What each definition is; lines of the formula are aligned. */
 static void print_formulas(const column *c, int n) {
     for (int k = 0; k < n; k++) {
         printf("%-13s", c[k].row->name);
@@ -241,7 +241,7 @@ static bool to_file(const arguments *a, tr_status *st) {
     return false;
 }
 
-/* Kept in a temporary file until the last row is known to be good. */
+/* Rows stay in a temporary file until the last row is right. */
 static bool to_stdout(const arguments *a, tr_status *st) {
     FILE *rows = tmpfile();
     if (!rows) return tr_status_fail(st, TR_FILE, "error: cannot make a temporary file: %s", strerror(errno));

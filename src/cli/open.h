@@ -5,7 +5,7 @@
 
 #include "out/dir.h"
 
-/* A file that the user has named by its path. It must not be the file `input`, which is read (NULL: none is). */
+/* A file that the user has named by its path. It must not be the file `input`, which the command reads (NULL: none). */
 bool tr_cli_open(tr_file *file, const char *path, const char *input, tr_status *st);
 
 #endif

@@ -50,7 +50,7 @@ void tr_progress_show(void *context, const char *stage, double fraction) {
     else
         snprintf(tail, sizeof tail, "%3.0f %%  %.0f s left", 100 * fraction, ceil(eta));
     int width = terminal_width() - 1, bar = width - (int)strlen(p->stage) - 2 - (int)strlen(tail) - 2;
-    if (bar < 4) { /* no room for it; a line that wraps could not be wiped */
+    if (bar < 4) { /* too narrow: a line that wraps could not be wiped */
         snprintf(line, sizeof line, "%s  %s", p->stage, tail);
         fprintf(stderr, "\r\033[K%.*s", width, line);
     } else {

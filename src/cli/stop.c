@@ -16,6 +16,6 @@ const volatile sig_atomic_t *tr_cli_stop(void) {
     sigaction(SIGTERM, &action, NULL);
     struct sigaction hang_up;
     sigaction(SIGHUP, NULL, &hang_up);
-    if (hang_up.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, NULL); /* nohup ignores it, and so do we then */
+    if (hang_up.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, NULL); /* nohup ignores the signal: keep that */
     return &stop;
 }

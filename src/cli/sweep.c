@@ -122,7 +122,7 @@ static bool run(const tr_grid *g, arguments *a, tr_status *st) {
     if (tried)
         printf("%-22s %d: %d finished before, %d run now, %d failed\n", "points", o.end - o.first, report.before,
                report.ran, report.failed);
-    tr_status collecting = {0}; /* what is there is worth collecting, though some points failed */
+    tr_status collecting = {0}; /* collect the finished points even if some points failed */
     if (all && tried && !collect(g, a, &collecting))
         tr_status_fail(st, collecting.code, "%s", collecting.text);
     return !st->code;
