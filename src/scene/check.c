@@ -21,7 +21,7 @@ const tr_scope *tr_check_scope(const tr_resolver *r, const char *section, int it
     return NULL;
 }
 
-/* A law is for its shape, and not every choice of its parameters is for assemblies. */
+/* A law is for one shape, and some choices of its parameters are not for assemblies. */
 static bool check_law(const checker *c, const tr_scope *s, const char *slot, const tr_param_table *law) {
     const tr_entry *e = tr_resolve_entry(s, slot);
     tr_mark mark = e->node ? e->node->mark : s->mark;
@@ -41,7 +41,7 @@ static bool check_law(const checker *c, const tr_scope *s, const char *slot, con
     return true;
 }
 
-/* The place of a key, or where it is missed. */
+/* The place of a key, or the place where it should be. */
 static tr_mark mark_in(const tr_scope *s, const char *key) {
     const tr_entry *e = tr_resolve_entry(s, key);
     return e && e->node ? e->node->mark : s->mark;
@@ -52,8 +52,8 @@ static tr_mark mark_of(const checker *c, int i, const char *key) {
     return mark_in(tr_check_scope(c->r, "path", i), key);
 }
 
-/* The approach of a line contact counts from a depth d: no contact is as wide. At a = d the overlap is (1 + ln 4)/4 d^2/R.
- * `where` presses it. */
+/* The approach of a line contact counts from a depth d: a contact must be narrower. At a = d the overlap is (1 + ln
+ * 4)/4 d^2/R. `where` presses it. */
 static bool check_depth(const checker *c, double d, double E_star, const char *where) {
     double R = c->scene->pair.R_star;
     for (int i = 0; i < c->scene->n_segments; i++) {
@@ -82,7 +82,7 @@ static bool check_law_depth(const checker *c, const tr_scope *s) {
     return check_depth(c, d, *(double *)E_star->value, where);
 }
 
-/* What a law must know of a prescribed path. */
+/* The data that a law needs of a prescribed path. */
 static bool check_demands(const checker *c, const tr_scope *s, const char *slot, const tr_param_table *law,
                           const void *par) {
     const tr_scene *scene = c->scene;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The only user of muParser. Its own C interface lets exceptions through, so this file takes its place. */
+/* The only user of muParser. Its own C interface lets exceptions through, so this file replaces it. */
 extern "C" {
 #include "base/math.h"
 #include "scene/formula.h"

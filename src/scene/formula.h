@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* muParser behind a C interface: an arithmetic text over the variables v0, v1, ... to a number. muParser reports errors, and a
- * lack of memory, by exceptions; none of them leaves formula.cpp. */
+/* muParser behind a C interface: an arithmetic text over the variables v0, v1, ... to a number. muParser reports
+ * errors, and a lack of memory, by exceptions; none of them leaves formula.cpp. */
 #ifndef TR_FORMULA_H
 #define TR_FORMULA_H
 
@@ -14,7 +14,7 @@ void tr_formula_free(tr_formula *f);
 
 typedef enum tr_formula_end { TR_FORMULA_DONE, TR_FORMULA_WRONG, TR_FORMULA_NO_MEMORY } tr_formula_end;
 
-/* The text to evaluate from now on. It may be found wrong only when it is evaluated. */
+/* The text to evaluate from now on. An error in it may show only at the evaluation. */
 tr_formula_end tr_formula_set(tr_formula *f, const char *text);
 tr_formula_end tr_formula_evaluate(tr_formula *f, double *value);
 

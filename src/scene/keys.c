@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The tables once more, for readers. Each table is walked twice: first for the widths of its columns, then to print. */
+/* The tables, printed for readers. Each table is walked twice: first for the widths of its columns, then to print. */
 #include "scene/keys.h"
 #include "base/gather.h"
 #include "scene/tables.h"
@@ -65,7 +65,7 @@ static void add_by_shape(const printer *p, char cell[CELL], const char *text, vo
     put(cell, of_sphere);
 }
 
-/* A law for `kind: contact` alone. */
+/* A law only for `kind: contact`. */
 static bool hidden(const printer *p, const tr_param_table *law) {
     return law->demands & TR_ONLY_DRIVER && !(p->kinds & TR_FOR_CONTACT);
 }
@@ -109,7 +109,7 @@ static void add_range(const printer *p, char cell[CELL], const tr_param *row) {
     add(cell, range);
 }
 
-/* In a list a key has by default the value of its namesake at the root that follows from other keys. */
+/* In a list, the default of a key is the root key of the same name, which follows from other keys. */
 static bool from_root(const printer *p, const tr_param *row) {
     for (int i = 0; i < tr_n_sections; i++) {
         const tr_section *t = &tr_sections[i];
@@ -119,7 +119,7 @@ static bool from_root(const printer *p, const tr_param *row) {
     return false;
 }
 
-/* The key that may stand in the place of this one in a case of these kinds, or NULL. */
+/* The key that may replace this one in a case of these kinds, or NULL. */
 static const char *other_key(const printer *p, const tr_param *row) {
     if (row->type != TR_REAL || !row->choices) return NULL;
     for (int i = 0; i < tr_n_sections; i++)
@@ -147,7 +147,7 @@ static void add_default(const printer *p, char cell[CELL], const tr_param *row, 
     add_code(cell, row->key);
 }
 
-/* note: stands behind the meaning; "": nothing does. */
+/* note: text after the meaning; "": none. */
 static void print_row(printer *p, const tr_param *row, bool derived, bool of_law, const char *note) {
     char cell[COLUMNS][CELL] = {""};
     add_code(cell[0], row->key);
@@ -192,7 +192,7 @@ static bool same_rows(const tr_section *a, const tr_section *b) {
     return same;
 }
 
-/* Rows that several choices have alike stand once, where the first of them is. */
+/* Equal rows of several choices are printed once, at the first of them. */
 static void walk_section(printer *p, const tr_section *first) {
     for (const tr_section *t = first; t; t = tr_tables_next(t, p->kinds)) {
         char note[CELL] = "";
@@ -211,7 +211,7 @@ static bool law_has(const tr_param_table *law, const tr_param *row) {
     return false;
 }
 
-/* A row that several laws have alike stands once, where the first of them is. */
+/* An equal row of several laws is printed once, at the first of them. */
 static void walk_law(printer *p, const tr_law_place *slot, int law) {
     for (int i = 0; i < slot->laws[law]->n; i++) {
         const tr_param *row = &slot->laws[law]->params[i];
@@ -308,7 +308,7 @@ static void print_laws(printer *p) {
     }
 }
 
-/* Bits of the kinds called so; 0: none is. */
+/* Bits of the kinds with this name; 0: none. */
 static unsigned find_kinds(const char *kind, const tr_param_catalog *catalog, tr_status *st) {
     tr_shown name;
     tr_near near = {NULL, 0};

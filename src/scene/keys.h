@@ -6,7 +6,7 @@
 #include "base/param.h"
 #include "base/status.h"
 
-/* Of one kind of case, by its name; NULL: of all kinds. Allocated: free(). NULL and TR_BAD_CASE: no kind has this
+/* For one kind of case, by its name; NULL: for all kinds. Allocated: free(). NULL and TR_BAD_CASE: no kind has this
  * name. */
 char *tr_scene_keys(const char *kind, const tr_param_catalog *catalog, tr_status *st);
 

@@ -7,7 +7,7 @@
 
 static const char most_mobilised[] = "most-mobilised";
 
-/* Up to nine digits; NULL: there is no number. */
+/* Up to nine digits; NULL: no number. */
 static const char *read_number(const char *text, int *number) {
     size_t digits = strspn(text, "0123456789");
     *number = atoi(text);

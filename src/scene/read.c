@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* One document of a case to tr_scene: tree -> entries -> values.
  *
- * Which keys there are depends on `kind`, and beside laws on the laws chosen, so those are resolved first. Every key
+ * The allowed keys depend on `kind` and on the chosen laws, so these are resolved first. Every key
  * of the case becomes an entry (resolve.h); then all entries are resolved, in any order. */
 #include "scene/read.h"
 #include "base/alloc.h"
@@ -18,7 +18,7 @@ typedef struct reader {
     tr_scene *scene;
     const tr_document *document;
     const tr_node *root;
-    tr_entry *entries; /* of all scopes, one behind the other */
+    tr_entry *entries; /* of all scopes, one after the other */
     int n_entries;
     unsigned kind; /* TR_FOR_* */
     tr_node *made; /* mappings that were filled in */
@@ -37,8 +37,8 @@ static tr_scope *open_scope(reader *c, const char *section, int item, const tr_n
 }
 
 /* Rows whose values live in *base; base NULL: of a law that is not chosen. Laws may share a key: then they share its
- * text and the default of the first, and a law that is not chosen has no say. What has a namesake at the root is by
- * default as that. */
+ * text and the default of the first. Laws that are not chosen do not count. A key with the same name at the root takes
+ * its default from there. */
 static void add_rows(reader *c, tr_scope *s, const tr_param *params, int n, void *base, const char *law) {
     for (int i = 0; i < n; i++) {
         const tr_entry *first = tr_resolve_entry(s, params[i].key);
@@ -54,7 +54,7 @@ static void add_rows(reader *c, tr_scope *s, const tr_param *params, int n, void
     }
 }
 
-/* Rows that only stand for an expression. */
+/* Rows that are only names for an expression. */
 static void add_derived(reader *c, tr_scope *s, const tr_param *params, int n, void *base) {
     for (int i = 0; i < n; i++) {
         tr_entry *e = &s->entries[s->n++];
@@ -84,7 +84,8 @@ static bool is_list(const tr_section *t) {
     return t->item;
 }
 
-/* Where a key is known that this scope has not: of another kind of case, or of another choice of the first key; NULL. */
+/* Where a key is known that this scope does not have: another kind of case, or another choice of the first key; or
+ * NULL. */
 static const tr_section *elsewhere(const tr_scope *s, const char *key) {
     for (int i = 0; i < tr_n_sections && !*s->sub; i++) {
         const tr_section *t = &tr_sections[i];
@@ -152,7 +153,7 @@ static bool check_keys(reader *c, const tr_scope *s) {
     return true;
 }
 
-/* `walls:` with nothing behind it is an empty section. */
+/* `walls:` without a value is an empty section. */
 static bool check_type(reader *c, const tr_node *node, tr_node_type type, const char *what) {
     bool empty = node && node->type == TR_NODE_VALUE && !*node->text;
     if (!node || node->type == type || empty) return true;
@@ -160,7 +161,7 @@ static bool check_type(reader *c, const tr_node *node, tr_node_type type, const 
                         type == TR_NODE_LIST ? "list, one `- key: value` for each" : "mapping of keys and values");
 }
 
-/* Units and defaults depend on the shape, so it is found as soon as its scope is there. */
+/* Units and defaults depend on the shape, so it is read as soon as its scope exists. */
 static bool find_shape(reader *c, const tr_scope *s) {
     tr_entry *e = tr_resolve_entry(s, "shape");
     if (e && !tr_resolve(&c->r, e, NULL)) return false;
@@ -181,8 +182,8 @@ static bool read_mapping(reader *c, const tr_section *t) {
     return find_shape(c, s) && check_keys(c, s);
 }
 
-/* `path: FILE.csv`: the name counts from the folder of the case; as a whole one it also serves the resolved case, which
- * will stand elsewhere. */
+/* `path: FILE.csv`: the name is relative to the folder of the case. It is made absolute, so that it also serves the
+ * resolved case, which is in another folder. */
 static bool read_file_name(reader *c, const tr_section *t, const tr_node *node) {
     const char *name = c->document->name, *slash = strrchr(name, '/');
     char text[2048];
@@ -233,7 +234,7 @@ static bool read_list(reader *c, const tr_section *t) {
                             t->key, n, t->min_items, t->max_items);
     char *items = tr_alloc((size_t)n, t->item, c->st);
     if (!items) return false;
-    memcpy(field(c->scene, t->offset), &items, sizeof items); /* some struct's pointer: the type is not known here */
+    memcpy(field(c->scene, t->offset), &items, sizeof items); /* a pointer of some struct: its type is not known here */
     *(int *)field(c->scene, t->count) = n;
     const tr_node *child = n ? node->child : NULL;
     for (int i = 0; i < n; i++, child = child->next) {
@@ -275,7 +276,7 @@ static bool reserve(reader *c) {
     return c->r.scopes && c->entries;
 }
 
-/* The root's keys; `kind` first, for it decides what else there is. */
+/* The root's keys; `kind` first, because it decides about the others. */
 static bool read_root(reader *c) {
     tr_scope *s = open_scope(c, "", -1, c->root);
     for (const tr_section *t = tr_sections; !*t->key; t++) {
@@ -290,7 +291,7 @@ static bool read_root(reader *c) {
     return find_shape(c, s) && check_keys(c, s);
 }
 
-/* Lambda stands for a depth, by the force that the path begins with. */
+/* Lambda gives a depth, by the first force of the path. */
 static bool take_Lambda(reader *c) {
     bool patch = c->scene->kind == TR_KIND_PATCH;
     const tr_scope *at = patch ? c->r.scopes : tr_check_scope(&c->r, "bodies", -1);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* An entry is new, busy or done. Meeting a busy one again is a cycle, and the askers tell its way. */
+/* An entry is new, busy or done. Reaching a busy one again is a cycle, and the askers give its path. */
 #include "scene/resolve.h"
 #include "scene/pick.h"
 #include "scene/tables.h"
@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_DEPTH = 32 }; /* names that name names: bounds the stack */
+enum { MAX_DEPTH = 32 }; /* values that refer to values: bounds the stack */
 
 tr_entry *tr_resolve_entry(const tr_scope *scope, const char *key) {
     for (int i = 0; i < scope->n; i++) {
@@ -30,7 +30,8 @@ tr_shown tr_resolve_name(const tr_scope *scope, const char *key) {
     return tr_text_show(name);
 }
 
-/* An error in the text of an entry at its character `at`. A default has no place in the file: then all is told. */
+/* An error in the text of an entry at its character `at`. A default has no place in the file, so the message quotes
+ * it. */
 __attribute__((format(printf, 4, 5))) static bool fail(tr_resolver *r, const tr_entry *e, size_t at, const char *format,
                                                        ...) {
     char what[400];
@@ -240,7 +241,7 @@ static bool read_value(tr_resolver *r, tr_entry *e, const char *text) {
     return false;
 }
 
-/* asker's text names e, which is busy: asker was asked by ... was asked by e. */
+/* asker's text names e, which is busy: asker was asked by ..., which was asked by e. */
 static bool cycle(tr_resolver *r, const tr_entry *e, const tr_entry *asker) {
     const tr_entry *way[MAX_DEPTH + 1];
     int n = 0;

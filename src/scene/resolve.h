@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* From the text of one key, or its default, to the value in the scene. Values may name other keys, so they are found on
- * demand. */
+/* From the text of one key, or its default, to the value in the scene. Values may name other keys, so they are computed
+ * on demand. */
 #ifndef TR_RESOLVE_H
 #define TR_RESOLVE_H
 
@@ -12,25 +12,25 @@
 typedef struct tr_entry {
     const tr_param *param;
     const char *fallback; /* default text; NULL: must be given */
-    const tr_node *node;  /* what the case says; NULL: nothing */
+    const tr_node *node;  /* the value in the case; NULL: not given */
     void *value;          /* where the value goes */
-    double scratch;       /* there, when the scene has no place: only a law that is not chosen knows the key, or it is
-                             derived. Without a node such an entry is resolved only when another names it */
-    const char *law;      /* that law's name, else NULL. Such a key may be given, and named; it has no default */
-    char by_shape[TR_BY_SHAPE]; /* room for the fallback of the case's shape */
+    double scratch;       /* buffer, if the scene has no place: only a law that is not chosen knows the key, or it is
+                           * derived. Without a node such an entry is resolved only if another key names it */
+    const char *law;      /* name of that law, else NULL. Such a key may be given and named; it has no default */
+    char by_shape[TR_BY_SHAPE]; /* buffer for the default of the case's shape */
     bool derived;               /* follows from other keys by its default; node is NULL */
     enum { TR_ENTRY_NEW, TR_ENTRY_BUSY, TR_ENTRY_DONE } state;
     struct tr_entry *asker; /* while busy: the key whose text named this one */
     struct tr_scope *scope;
 } tr_entry;
 
-/* One mapping of the case: where its keys look for names first. scopes[0] is the root, where they look next. */
+/* One mapping of the case: its keys look for names here first, then in scopes[0], the root. */
 typedef struct tr_scope {
     const char *section;
     int item;            /* number in a list; -1: not in a list */
     const char *sub;     /* of a mapping in an item: its key; "": the item itself, or no list */
     const tr_node *node; /* NULL: not given */
-    tr_mark mark;        /* where a missing key is missed */
+    tr_mark mark;        /* the place of a missing key */
     tr_entry *entries;
     int n;
 } tr_scope;
@@ -44,7 +44,7 @@ typedef struct tr_resolver {
     tr_status *st;
 } tr_resolver;
 
-/* Writes the value of an entry, and of all that it names. asker: NULL. */
+/* Writes the value of an entry, and of all entries that it names. asker: NULL. */
 bool tr_resolve(tr_resolver *r, tr_entry *entry, tr_entry *asker);
 
 /* First entry of a scope with this key, or NULL. */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* A case file to tr_scene: text -> documents -> (merged with the first) -> (--set) -> one scene each (read.h).
  *
- * A further document is the first with what it says changed, and from then on a case like any other: its defaults, and the names
- * in its expressions, are its own. */
+ * A further document is the first one with its own changes. After that it is a case like any other, with its own
+ * defaults and names. */
 #include "scene/scene.h"
 
 #include "base/alloc.h"
@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_DISKS = 1000 }; /* of all documents: written out whole they must stay under the size limit of a case */
+enum { MOST_DISKS = 1000 }; /* of all documents: written out they must stay under the size limit of a case */
 
 typedef struct sets {
     const char *const *text;
@@ -33,7 +33,7 @@ static bool read_first(tr_scene *scene, tr_node *root, tr_document d, const sets
     return tr_read_document(scene, &d);
 }
 
-/* Of plain structs of a scene, of which the reader leaves no byte unset. */
+/* Of plain structs of a scene: the reader sets every byte. */
 static bool equal(const void *a, const void *b, size_t size) {
     return memcmp(a, b, size) == 0;
 }
@@ -45,7 +45,7 @@ static bool check_same(const tr_node *doc, const char *key, bool same, tr_status
                                 "`%s` must be the same in every document, and here it is not as in the first", key);
 }
 
-/* The first has its --sets; they are applied to this one once more, for it may say something else. */
+/* The first has its --sets; they are applied to this one again, because it may change the keys. */
 static bool read_next(tr_scene *scene, const tr_scene *first, tr_node *doc, tr_document d, const sets *sets) {
     if (doc->type != TR_NODE_MAPPING)
         return tr_text_fail(d.st, doc->key_mark, "a further document must be a mapping: the keys that it changes");

@@ -5,10 +5,11 @@
 
 #include "scene/data.h"
 
-/* Reads a case. text: the bytes of the file (need not end in NUL; at most 1 MB). name: how messages call the file.
- * sets: n_sets overrides "dotted.key=value" of the command line, under the same checks as the file (list items by
- * number: "disks.0.spin=2"). On success *scene owns its arrays: tr_scene_free. On failure *scene is empty and the
- * message is "name:line:column: error: what, and what is allowed", the source line and a caret; code TR_BAD_CASE. */
+/* Reads a case. text: the bytes of the file (need not end in NUL; at most 1 MB). name: the name of the file in
+ * messages. sets: n_sets overrides "dotted.key=value" of the command line, under the same checks as the file (list
+ * items by number: "disks.0.spin=2"). On success *scene owns its arrays: tr_scene_free. On failure *scene is empty and
+ * the message is "name:line:column: error: what, and what is allowed", the source line and a caret; code
+ * TR_BAD_CASE. */
 bool tr_scene_read(tr_scene *scene, const char *name, const char *text, size_t size, const char *const *sets,
                    int n_sets, const tr_param_catalog *catalog, tr_status *st);
 

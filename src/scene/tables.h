@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Every key of a case file: which section, which kind of case, and the row that says everything else. */
+/* Every key of a case file: its section, its kind of case, and the row with everything else. */
 #ifndef TR_TABLES_H
 #define TR_TABLES_H
 
@@ -11,7 +11,7 @@ enum {
     TR_FOR_BODIES = 1 << TR_KIND_BODIES,
     TR_FOR_CONTACT = 1 << TR_KIND_CONTACT,
     TR_FOR_PATCH = 1 << TR_KIND_PATCH,
-    TR_FOR_PAIR = TR_FOR_CONTACT | TR_FOR_PATCH,    /* kinds in which a path drives one contact */
+    TR_FOR_PAIR = TR_FOR_CONTACT | TR_FOR_PATCH,    /* kinds where a path drives one contact */
     TR_FOR_WORLDS = TR_FOR_BIAXIAL | TR_FOR_BODIES, /* kinds in which forces move disks */
     TR_FOR_ALL = TR_FOR_WORLDS | TR_FOR_PAIR,
     TR_SLOTS = 3
@@ -28,8 +28,8 @@ typedef struct tr_section {
     size_t offset; /* in tr_scene, of the struct that the rows describe; of a list: of the pointer to its items */
     size_t item;   /* of a list: size of an item; 0: not a list */
     size_t count;  /* of a list: offset in tr_scene of the number of items */
-    size_t file;   /* of a list: offset in tr_scene of a char *: a single value in place of the list names a file that
-                      holds it; 0: not so */
+    size_t file;   /* of a list: offset in tr_scene of a char *: a single value instead of the list names a file with
+                    * the list; 0: not allowed */
     int min_items, max_items;
     unsigned chosen; /* of a list whose items begin with an int, the choice of its first key: bits of the choices for
                         which these rows are; 0: all */
@@ -46,7 +46,7 @@ typedef struct tr_section {
 extern const tr_section tr_sections[];
 extern const int tr_n_sections;
 
-/* Section i is for this kind (TR_FOR_*) and no neighbour before it with its key is. */
+/* Section i is the first one with its key for this kind (TR_FOR_*). */
 bool tr_tables_begins(int i, unsigned kind);
 /* The number of the next section behind i that is a mapping in the items of this list, for this kind; start with -1.
  * tr_n_sections: there is none. */
@@ -55,14 +55,14 @@ int tr_tables_inside(const char *list, unsigned kind, int i);
 /* The next of these neighbours that is for this kind, or NULL. */
 const tr_section *tr_tables_next(const tr_section *section, unsigned kind);
 
-/* These rows are for this item. */
+/* Whether these rows are for this item. */
 bool tr_tables_chosen(const tr_section *section, const void *item);
 
-/* kind: contact: default of the root's `depth` where `bodies.Lambda` is given. */
+/* kind: contact: default of the root's `depth` if `bodies.Lambda` is given. */
 extern const char tr_tables_depth_from_Lambda[];
 
-/* The places for laws: normal, friction, rolling. A slot's key stands in `contact`, or in an item of `laws`, and the
- * parameters of its law stand beside it. */
+/* The kinds of law: normal, friction, rolling. The key of a kind is in `contact` or in an item of `laws`, and the
+ * parameters of the law are beside it. */
 typedef struct tr_law_place {
     const char *key;
     const tr_param_table *const *laws;
@@ -72,7 +72,7 @@ typedef struct tr_law_place {
 
 tr_law_place tr_tables_slot(const tr_param_catalog *catalog, int i);
 
-/* Name of choice i of a TR_CHOICE row; false when there are no more. Rows whose choices the catalog knows have choices
+/* Name of choice i of a TR_CHOICE row; false when there are no more. Rows with choices from the catalog have choices
  * NULL. */
 bool tr_tables_choice(const tr_param_catalog *catalog, const tr_param *param, int i, tr_shown *name);
 

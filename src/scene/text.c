@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Everything here must hold for any bytes whatsoever: this is the code that speaks when the input is garbage. */
+/* Everything here must work for any bytes: this code reports errors in garbage. */
 #include "scene/text.h"
 #include "base/alloc.h"
 
@@ -30,7 +30,8 @@ static int32_t decode(const char *p, size_t n, size_t *length) {
     return code;
 }
 
-/* May stand in a line of a case. YAML would take U+0085, U+2028 and U+2029 for line ends, editors do not: they are out.
+/* May stand in a line of a case. YAML takes U+0085, U+2028 and U+2029 for line ends, but editors do not: they are
+ * refused.
  */
 static bool printable(int32_t c) {
     return c >= 0x20 && !(c >= 0x7f && c < 0xa0) && c != 0x2028 && c != 0x2029 && c != 0xfeff && (c & 0xfffe) != 0xfffe;
@@ -140,7 +141,7 @@ size_t tr_text_line(const char *text, char *line, size_t room) {
     for (; left; text += length, left -= length) {
         int32_t c = decode(text, left, &length);
         bool white = c == ' ' || c == '\t' || c == '\n' || c == '\r';
-        if (!white && !printable(c)) return 0; /* YAML's \x07 brings them past tr_text_check */
+        if (!white && !printable(c)) return 0; /* YAML's \x07 makes them after tr_text_check */
         if (!white) {
             gap = gap && used;
             if (used + gap + length < room) {

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Text that came from a user: where a character of it stands, whether it may be read at all, and how a message shows
- * it. */
+/* Text from a user: the place of a character, whether the text may be read, and how a message shows it. */
 #ifndef TR_TEXT_H
 #define TR_TEXT_H
 
@@ -19,8 +18,8 @@ typedef struct tr_mark {
     int line, column;
 } tr_mark;
 
-/* The bytes of a file, as far as one may be read and a little more: too long a file shows. Cannot open or read: NULL and TR_FILE.
- * free(). */
+/* The bytes of a file up to the limit and a little more, so that a file that is too long is noticed. NULL and TR_FILE:
+ * cannot open or read it. free(). */
 char *tr_text_file(const char *path, size_t *size, tr_status *st);
 
 /* A piece of text fit for a message: short, one line, nothing that a terminal would obey. */
@@ -38,14 +37,14 @@ bool tr_text_fail(tr_status *st, tr_mark at, const char *format, ...) __attribut
 /* The source is at most 1 MB of UTF-8 without tabs, NUL and other control characters; line ends are \n, \r\n or \r. */
 bool tr_text_check(const tr_source *source, tr_status *st);
 
-/* Text as one line: no white space at its ends, one space for each run of it inside. Returns the bytes that it takes with
- * its NUL, and fills line where that is no more than room; 0: it holds a character that a case may not. */
+/* Text as one line: no white space at its ends, one space for each run of it inside. Returns the bytes that it takes
+ * with its NUL, and fills line if they fit into room; 0: a character is not allowed in a case. */
 size_t tr_text_line(const char *text, char *line, size_t room);
 
-/* Behind the last visible character of a source: what a message about something missing points at. */
+/* The place after the last visible character of a source: messages about missing text point there. */
 tr_mark tr_text_end(const tr_source *source);
 
-/* "Did you mean": the closest of the candidates offered so far; word is NULL while none is close. */
+/* "Did you mean": the closest of the candidates offered so far; word is NULL while no candidate is close. */
 typedef struct tr_near {
     const char *word;
     int distance;

@@ -87,7 +87,7 @@ static bool open_level(builder *b, tr_node_type type, tr_mark mark) {
     return node;
 }
 
-/* Anchors, tags: the same fields in three kinds of event. */
+/* Anchors and tags: the same fields in three kinds of event. */
 static bool refuse(builder *b, tr_mark mark, const yaml_char_t *anchor, const yaml_char_t *tag) {
     if (anchor) return tr_text_fail(b->st, mark, "anchors (&name) are not allowed; write the value out");
     return tag ? tr_text_fail(b->st, mark, "tags (!name) are not allowed") : true;
@@ -226,7 +226,7 @@ bool tr_tree_set(tr_node *root, const tr_source *set, tr_status *st) {
     return node->text;
 }
 
-/* A copy of a node and what is in it. keyed: it stands in a mapping. */
+/* A copy of a node and its children. keyed: it is in a mapping. */
 static tr_node *twin(const tr_node *node, bool keyed, tr_status *st) {
     tr_node *t = tr_alloc(1, sizeof *t, st);
     if (!t) return NULL;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* YAML text as a small tree that remembers where everything stood. All of libyaml is behind it.
+/* YAML text as a small tree that keeps the place of everything. Only this file uses libyaml.
  *
  * The subset is what a case needs and a reader can see: mappings, lists and single values, in block or flow style. No
- * anchors, aliases, tags or keys that are not text; nothing is nested deeper than TR_TREE_DEPTH. Documents of one file are
- * siblings. */
+ * anchors, aliases, tags or keys that are not text; nothing is nested deeper than TR_TREE_DEPTH. Documents of one file
+ * are siblings. */
 #ifndef TR_TREE_H
 #define TR_TREE_H
 
@@ -26,12 +26,12 @@ typedef struct tr_node {
 /* The first document of a source that passed tr_text_check. NULL on failure. Free with tr_tree_free. */
 tr_node *tr_tree_read(const tr_source *source, tr_status *st);
 
-/* Applies a --set, "a.b.c=value": replaces that value, and makes the mappings on the way that are not there yet. A
- * number names an item of a list. Whether such a key may exist is for the reader to say. */
+/* Applies a --set, "a.b.c=value": replaces that value, and makes missing mappings on the way. A number names an item of
+ * a list. The reader decides whether the key is allowed. */
 bool tr_tree_set(tr_node *root, const tr_source *set, tr_status *st);
 
-/* over becomes base with what over says changed: mappings key by key, lists and values whole. What comes from base keeps its
- * marks. */
+/* over becomes base with the changes of over: mappings key by key, lists and values as a whole. Nodes from base keep
+ * their marks. */
 bool tr_tree_merge(tr_node *over, const tr_node *base, tr_status *st);
 
 /* A new node: a copy of over, merged with base, which may be NULL. An empty value counts as an empty mapping. NULL on

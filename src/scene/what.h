@@ -9,7 +9,8 @@
 
 #include "base/param.h"
 
-/* Which key names its object: `contact` or `disk`. TR_OF_FLOOR: `disk`, and its contact with wall 0 is looked at. */
+/* Which key names its object: `contact` or `disk`. TR_OF_FLOOR: `disk`, and the check looks at its contact with wall
+ * 0. */
 typedef enum tr_whose { TR_OF_CONTACT, TR_OF_DISK, TR_OF_FLOOR } tr_whose;
 
 typedef enum tr_when {

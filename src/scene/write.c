@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* tr_scene to case text: the tables again, the other way round. */
+/* tr_scene to case text: the same tables, in the other direction. */
 #include "scene/write.h"
 
 #include "scene/pick.h"
@@ -68,7 +68,7 @@ static int write_value(const writer *w, const tr_param *p, const void *value) {
     return 0;
 }
 
-/* One key; lead is what stands before it. False: it is not given, another stands in its place. */
+/* One key; lead is the text before it. False: it is not given, another key replaces it. */
 static bool write_key(const writer *w, const tr_param *p, const void *base, const char *lead, bool comment) {
     enum { COLUMN = 42 }; /* of the meanings */
     const void *value = (const char *)base + p->offset;

@@ -5,8 +5,8 @@
 
 #include "scene/data.h"
 
-/* The whole case with every default written out, in SI with as many digits as it takes, each key's meaning and unit as
- * a comment. Reading it gives the same scene, bit for bit. Allocated: free(); NULL when memory is short. */
+/* The whole case with every default written out, in SI with enough digits, with meaning and unit of each key as a
+ * comment. Reading it gives the same scene, bit for bit. Allocated: free(); NULL when memory is short. */
 char *tr_scene_write(const tr_scene *scene, const tr_param_catalog *catalog, tr_status *st);
 
 #endif
