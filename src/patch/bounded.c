@@ -24,7 +24,7 @@ void tr_bounded_free(tr_bounded *o) {
     free(o->set), free(o->rest), free(o->image), free(o->part), free(o->point);
 }
 
-/* ---- matrices as columns: that of A is a window of the kernel */
+/* ---- matrices as columns: a column of A is a window of the kernel */
 
 typedef struct matrix {
     const double *first;
@@ -86,7 +86,7 @@ static void substitute(const tr_bounded *o, double *z) {
     }
 }
 
-/* x: first column of A^-1 by Durbin's recursion; y: work. False where a prediction error is not positive. */
+/* x: first column of A^-1 by Durbin's recursion; y: work. False if a prediction error is not positive. */
 static bool first_column(const double *a, int n, double *x, double *y) {
     double error = a[0];
     x[0] = 1;
@@ -135,7 +135,7 @@ static bool factor(tr_bounded *o, const signed char *side) {
     return o->factored = cholesky(o, o->slip_set ? matrix_B(o) : matrix_A(o));
 }
 
-/* Adds to t where it sticks and to s where it slips what makes A t + s larger by o->rest. */
+/* Adds to t where it sticks and to s where it slips, so that A t + s grows by o->rest. */
 static void increment(tr_bounded *o, double *t, double *s) {
     int n = o->n;
     double *y = o->image, *grows = o->slip_set ? s : t, *follows = o->slip_set ? t : s;

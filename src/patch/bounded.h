@@ -3,8 +3,8 @@
  *
  *   min 1/2 t'A t - t'b,  |t_i| <= g_i;   s = b - A t   (A symmetric Toeplitz, positive definite)
  *
- * Its conditions are the law of friction: s_i = 0 where |t_i| < g_i, s_i of the sign of t_i where |t_i| = g_i. The answer
- * is unique.
+ * Its conditions are the law of friction: s_i = 0 where |t_i| < g_i, s_i of the sign of t_i where |t_i| = g_i. The
+ * answer is unique.
  *
  * Block principal pivoting [Judice1994]: guess which i stick (s = 0) and which slip (t = +-g), solve, move every i that
  * breaks a condition, repeat, from the sets of the last answer: a few guesses for a contact. Blocks can cycle: when

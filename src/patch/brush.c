@@ -38,7 +38,7 @@ const tr_patch_state *tr_brush_state(const tr_brush *o) {
     return &o->s;
 }
 
-/* w at x on the grid of now: linear between the middles of the elements and the edges, where it is 0. */
+/* w at x on the present grid: linear between the middles of the elements and the edges, where it is 0. */
 static double deflection(const tr_brush *o, double x) {
     const tr_patch_state *s = &o->s;
     double at = (x + s->a) / s->h - 0.5; /* in elements from the first middle */
@@ -77,7 +77,7 @@ static bool respond(void *body, double du, double *Q, double *slope, tr_status *
     return true;
 }
 
-/* The least |du| at which all slips the way of Q. */
+/* The smallest |du| at which all elements slip in the direction of Q. */
 static double du_of_full_slip(const tr_brush *o, double Q) {
     double most = -INFINITY, way = Q < 0 ? -1 : 1;
     for (int i = 0; i < o->s.n; i++)

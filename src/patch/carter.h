@@ -9,8 +9,9 @@
  * `roll` is a number of the sign of dr; dr < 0 mirrors x. q, xi, tau and slip are signed alike. No difference of nearly
  * equal numbers is taken: the relative accuracy holds to q -> 0.
  *
- * Limits: q -> 0: xi = F0 q/2; |q| = 1: all slips, xi = F0 is the least creepage of it (more adds to the slip).
- * differs: [Kuhn2014 eq. 9, text] has creepage go to infinity at q = 1, of the like law for spheres; it is F0.
+ * Limits: q -> 0: xi = F0 q/2; |q| = 1: all slips, xi = F0 is the smallest creepage for it (more adds to the slip).
+ * differs: [Kuhn2014 eq. 9, text] says that creepage goes to infinity at q = 1 (for the similar law of spheres); it is
+ * F0.
  */
 #ifndef TR_PATCH_CARTER_H
 #define TR_PATCH_CARTER_H

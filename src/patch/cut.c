@@ -4,7 +4,7 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Rounding of a length that is to be a whole number of elements makes no piece more. */
+/* A length that is a whole number of elements gets no extra piece by rounding. */
 static double count(double pieces) {
     return fmax(1, ceil(pieces * (1 - 1e-9)));
 }
@@ -33,7 +33,7 @@ static double longest_memory(const tr_patch_pair *c, double P) { /* Lambda */
     return fmax(tr_patch_Lambda(c, P), 1);
 }
 
-/* No traction has changed by more than what leaves the steady state to come within 1e-2/n. */
+/* All tractions have changed so little that the steady state is within 1e-2/n. */
 static bool is_steady(const walk *w) {
     const tr_patch_state *s = w->s;
     double most = 0, n = s->n, full = w->pair->mu * tr_patch_p0(w->pair, s->P);
@@ -48,7 +48,7 @@ static void add(walk *w, double times) {
     for (int i = 0; i < s->n; i++) s->slip_sum[i] += times * s->slip[i];
 }
 
-/* dr and du: of all the stair. */
+/* dr and du: of the whole stair. */
 static bool climb(walk *w, tr_patch_step stair, tr_status *st) {
     tr_patch_state *s = w->s;
     const double h = element(tr_patch_a(w->pair, stair.P), s->n), pieces = count(fabs(stair.dr) / h);

@@ -49,9 +49,9 @@ static double primitive(double v) {
     return v != 0 ? v * (1 - tr_log(fabs(v))) : 0;
 }
 
-/* u(x) = (2h/(pi E_star)) (sum over the n + 1 edges x_e of (tau_e - tau_{e-1}) primitive((x - x_e)/h) + ln(d/h) sum tau)
- * at x = x_i - dr, x_i on the grid of half-width a, tau on the grid of o->s. On the same grid (x - x_e)/h depends on
- * i - e only. */
+/* u(x) = (2h/(pi E_star)) (sum over the n + 1 edges x_e of (tau_e - tau_{e-1}) primitive((x - x_e)/h) + ln(d/h) sum
+ * tau) at x = x_i - dr, x_i on the grid of half-width a, tau on the grid of o->s. On the same grid (x - x_e)/h depends
+ * on i - e only. */
 TR_VECTOR static void carry(tr_half_plane *o, double a, double dr) {
     const tr_patch_state *s = &o->s;
     int n = s->n;
@@ -89,7 +89,7 @@ static bool set_grid(tr_half_plane *o, double P, tr_status *st) {
     return tr_bounded_matrix(&o->problem, o->work, st);
 }
 
-/* Q = NULL: neither Q nor the slope is asked for. */
+/* Q = NULL: Q and the slope are not wanted. */
 static bool respond(void *body, double du, double *Q, double *slope, tr_status *st) {
     tr_half_plane *o = body;
     tr_patch_state *s = &o->s;
@@ -103,7 +103,7 @@ static bool respond(void *body, double du, double *Q, double *slope, tr_status *
     return true;
 }
 
-/* The least |du| at which all slips the way of Q. */
+/* The smallest |du| at which all elements slip in the direction of Q. */
 static double du_of_full_slip(tr_half_plane *o, double Q) {
     double most = -INFINITY, way = Q < 0 ? -1 : 1;
     for (int i = 0; i < o->s.n; i++) o->work[i] = -way * o->carried[i];

@@ -65,8 +65,8 @@ void tr_patch_state_sums(tr_patch_state *s) {
     for (int i = 0; i < s->n; i++) s->Q += s->h * s->tau[i], s->dissipated += s->h * s->tau[i] * s->slip[i];
 }
 
-/* Never beyond a bracket. While one end is open and all slips, steps that double: after a drop of P the answer may be
- * far away. */
+/* Never beyond a bracket. While one end is open and all slips, steps double: after a drop of P the answer may be far
+ * away. */
 bool tr_patch_find_du(tr_patch_respond *respond, void *body, double Q, double scale, double stiffest, double *du,
                       tr_status *st) {
     enum { MOST = 400 };

@@ -1,15 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* What happens inside one line contact of two disks: the oracle that force laws are judged by. This folder shares
- * nothing with laws/, and its numerical solutions (half_plane, brush) share nothing with its closed forms (carter,
- * cattaneo).
+/* The inside of one line contact of two disks: the reference for force laws. This folder has no code in common with
+ * laws/, and its numerical solutions (half_plane, brush) have none in common with its closed forms (carter, cattaneo).
  *
  * A pair, per metre of length, SI [Johnson1985 secs. 4.2, 5.6]:
  *
  *   a = sqrt(4 P R_star/(pi E_star)),   p(x) = p0 sqrt(1 - (x/a)^2),   p0 = 2 P/(pi a),   Lambda = ln(2d/a)
  *   u(x) = (2/(pi E_star)) int tau(s) ln(d/|x - s|) ds
  *
- * u: tangential displacement of the surface of 1 less that of 2, by the tractions tau. In the plane it has no meaning
- * without d, which says where it is zero; d > a. Like materials (or Dundurs' constant zero): tau does not change p.
+ * u: tangential displacement of the surface of 1 less that of 2, by the tractions tau. In the plane u needs d, the
+ * distance where u is zero; d > a. Like materials (or Dundurs' constant zero): tau does not change p.
  *
  * Signs: du = Vs dt, the sliding of 2 against 1 along t as rigid bodies; tau and Q have the sign of accumulated
  * sliding. dr: roll of material through the contact along t (Kuhn's du_roll); dr > 0: it enters at x = -a.
@@ -45,11 +44,11 @@ static inline double tr_patch_Lambda(const tr_patch_pair *c, double P) {
 }
 
 /* One step of a numerical solution: to the normal force P >= 0 [N/m], by the roll dr [m], with the sliding du [m] or,
- * by_force, with the tangential force Q [N/m] prescribed. P = 0 opens the contact: all is forgotten. */
+ * by_force, with the tangential force Q [N/m] prescribed. P = 0 opens the contact and clears its memory. */
 typedef struct tr_patch_step {
     double P, dr;
     bool by_force;
-    double du, Q; /* the one that is prescribed; the other is not read */
+    double du, Q; /* the prescribed one; the other is not read */
 } tr_patch_step;
 
 /* The contact after a step: n equal elements, x[i] in the middle of element i. */
@@ -75,14 +74,15 @@ void tr_patch_state_clear(tr_patch_state *s); /* an open contact */
  * full slip is Q = mu P for any n. */
 void tr_patch_state_grid(tr_patch_state *s, const tr_patch_pair *c, double P);
 
-/* Refuses what is not finite, P < 0 and, by force, |Q| > mu P: the contact slides and no du is in equilibrium. */
+/* Refuses numbers that are not finite, P < 0 and, by force, |Q| > mu P: then the contact slides, and no du is in
+ * equilibrium. */
 bool tr_patch_step_check(const tr_patch_step *step, const tr_patch_pair *c, tr_status *st);
 
 /* Q and dissipated from tau and slip. */
 void tr_patch_state_sums(tr_patch_state *s);
 
-/* The du at which a response Q(du), continuous and nowhere falling, is Q, to 1e-13 of scale + stiffest |du|, what
- * rounding of du can do: Newton's method inside a bracket, from du. respond gives Q and its slope (0 where all slips); no
+/* The du at which a response Q(du), continuous and nowhere falling, is Q, to 1e-13 of scale + stiffest |du|, the effect
+ * of rounding in du: Newton's method inside a bracket, from du. respond gives Q and its slope (0 where all slips); no
  * slope exceeds about `stiffest`, and the last call of respond is at the du that is returned. */
 typedef bool tr_patch_respond(void *body, double du, double *Q, double *slope, tr_status *st);
 bool tr_patch_find_du(tr_patch_respond *respond, void *body, double Q, double scale, double stiffest, double *du,
