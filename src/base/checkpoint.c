@@ -165,7 +165,7 @@ bool tr_checkpoint_sync(const char *dir, const char *name, tr_status *st) {
 
 /* ---- loading ---- */
 
-/* st: it is damaged, so that the one before may take its place. c->st: it may be as it should, but could not be read. */
+/* st: it is damaged, so the older one may replace it. c->st: it may be right, but could not be read. */
 static bool read_file(tr_checkpoint *c, const char *path, bool *there, tr_status *st) {
     struct stat info;
     FILE *file = tr_regular_open(path, c->st);
@@ -182,7 +182,7 @@ static bool read_file(tr_checkpoint *c, const char *path, bool *there, tr_status
     return ok;
 }
 
-/* Whole, and of a version that can be read. */
+/* Complete, and of a version that can be read. */
 static bool check(tr_checkpoint *c, const char *path, bool *newer, tr_status *st) {
     header h = {0};
     uint64_t sum;
@@ -212,7 +212,7 @@ static int line_length(const char *text, size_t n) {
     return (int)k;
 }
 
-/* The first line in which they differ. */
+/* The first line where they differ. */
 static bool check_case(tr_checkpoint *c, const char *path, const char *ours) {
     record r = next(c);
     const char *saved = (const char *)c->bytes + c->at + sizeof r;

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Returns 0 where there is no memory, which the stream keeps as its error. */
+/* Returns 0 if memory is short; the stream keeps this as its error. */
 static ssize_t add(void *context, const char *bytes, size_t n) {
     tr_gather *g = context;
     tr_status no_memory = {0};

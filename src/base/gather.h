@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A stream that gathers text in memory. (open_memstream says nothing when it finds no memory, and leaves text out.) */
+/* A stream that gathers text in memory. (open_memstream leaves text out without an error if memory is short.) */
 #ifndef TR_GATHER_H
 #define TR_GATHER_H
 
@@ -12,7 +12,7 @@ typedef struct tr_gather {
     size_t n, room;
 } tr_gather;
 
-/* *g stays where it is until the end. */
+/* *g must not move until the end. */
 bool tr_gather_begin(tr_gather *g, tr_status *st);
 
 /* Closes the stream. Returns all that was written; free(). NULL, and TR_FILE, if something was lost or begin failed. */

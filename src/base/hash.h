@@ -8,7 +8,7 @@
 
 static const uint64_t TR_HASH_BEGIN = 0xcbf29ce484222325;
 
-/* Goes on from `hash`, TR_HASH_BEGIN at first. */
+/* Continues from `hash`; starts with TR_HASH_BEGIN. */
 static inline uint64_t tr_hash(uint64_t hash, const void *bytes, size_t n) {
     const unsigned char *p = (const unsigned char *)bytes;
     for (size_t i = 0; i < n; i++) hash = (hash ^ p[i]) * 0x100000001b3;

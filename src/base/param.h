@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* One row per parameter: what a key of a case file may be, where its value goes, and what it means.
+/* One row per parameter: the values that a key of a case file may have, the place of the value, and its meaning.
  *
  * The reader, the writer of the resolved case, the help and the documentation all walk these rows, so a parameter is
- * declared once. A struct and its rows stand side by side; `offset` is where the value lives in that struct. */
+ * declared once. A struct and its rows are side by side; `offset` is the place of the value in that struct. */
 #ifndef TR_PARAM_H
 #define TR_PARAM_H
 
 #include <stddef.h>
 
-/* What a contact is between: disks are cylinders per metre of length (forces N/m, masses kg/m, stiffnesses N/m per m =
+/* The bodies of a contact: disks are cylinders per metre of length (forces N/m, masses kg/m, stiffnesses N/m per m =
  * Pa), spheres move in the plane (N, kg, N/m). */
 typedef enum tr_shape { TR_SHAPE_DISK, TR_SHAPE_SPHERE } tr_shape;
 
@@ -60,7 +60,7 @@ typedef enum tr_type {
     TR_SEED,   /* uint64_t */
     TR_CHOICE, /* int: index into choices */
     TR_SWITCH, /* bool: yes | no */
-    TR_PICKS,  /* tr_scene_picks: a list of at most max contacts by name; empty where none is given */
+    TR_PICKS,  /* tr_scene_picks: a list of at most max contacts by name; empty if none is given */
     TR_TEXT,   /* char[max]: one line of UTF-8, its NUL included */
 } tr_type;
 
@@ -71,18 +71,18 @@ typedef struct tr_param {
     const char *unit;     /* how dim is printed: "m/s", "1", "Pa|N/m" (disks|spheres) */
     const char *fallback; /* default as a case file would say it, e.g. "0.5*k_n"; NULL: the key must be given */
     double min, max;      /* allowed range, SI, both ends included; a TR_REAL is always finite */
-    const char *choices;  /* TR_CHOICE: "a|b|c". TR_REAL: the key that may stand in the place of this one, which then is
-                             NaN; NULL: none */
+    const char *choices;  /* TR_CHOICE: "a|b|c". TR_REAL: the key that may replace this one, which is then NaN; NULL:
+                           * none */
     size_t offset;        /* of the value in the struct that the row describes */
     const char *doc;      /* one line: meaning, and the source where there is one */
 } tr_param;
 
-/* What a law demands of a case. */
+/* Requirements of a law on a case. */
 typedef enum tr_demands {
     TR_ONLY_DISKS = 1,
     TR_ONLY_SPHERES = 2,
-    TR_NEEDS_TIME = 4,    /* the law depends on the rate; a prescribed path must give times, but for normal laws */
-    TR_ONLY_DRIVER = 16,  /* kind: contact alone has it */
+    TR_NEEDS_TIME = 4,    /* the law depends on the rate; a prescribed path must give times (not for normal laws) */
+    TR_ONLY_DRIVER = 16,  /* only kind: contact has it */
     TR_NEEDS_DENSITY = 8, /* of the bodies on a prescribed path: the law depends on their inertia */
 } tr_demands;
 
@@ -100,12 +100,12 @@ typedef struct tr_param_table {
 /* The demands of a law with these parameters, a struct as its rows describe it. */
 unsigned tr_param_demands(const tr_param_table *table, const void *par);
 
-/* A choice `old` of `key` that is gone, and what to write now. */
+/* A removed choice `old` of `key`, and its replacement. */
 typedef struct tr_param_renamed {
     const char *key, *old, *now;
 } tr_param_renamed;
 
-/* What the registry of laws tells the reader of cases, which does not see laws. Name of law i: normal[i]->name. */
+/* The registry of laws for the reader of cases, which does not see laws. Name of law i: normal[i]->name. */
 typedef struct tr_param_catalog {
     const tr_param_table *const *normal, *const *friction, *const *rolling;
     int n_normal, n_friction, n_rolling;

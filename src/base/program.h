@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-/* Is there an executable of that name on the PATH? Looks; runs nothing. */
+/* Whether the PATH has an executable with that name. Runs nothing. */
 bool tr_program_available(const char *name);
 
 #endif

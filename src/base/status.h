@@ -26,7 +26,7 @@ typedef struct tr_status {
  * so that a caller can write `return tr_status_fail(...)`. */
 bool tr_status_fail(tr_status *st, tr_code code, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-/* Adds to the text of a failure; nothing where there is none. Returns false. */
+/* Adds to the text of a failure, if there is one. Returns false. */
 bool tr_status_more(tr_status *st, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* P(|T| < t) for a whole number of degrees of freedom n is a finite sum in theta = atan(t/sqrt n) [Abramowitz1964 26.7.3, 26.7.4]:
+/* P(|T| < t) for a whole number of degrees of freedom n is a finite sum in theta = atan(t/sqrt n) [Abramowitz1964
+ * 26.7.3, 26.7.4]:
  *
- *     n odd:   (2/pi) {theta + sin theta (cos theta + 2/3 cos^3 theta + ... + 2 4...(n-3)/(3 5...(n-2)) cos^(n-2) theta)}
- *     n even:  sin theta {1 + 1/2 cos^2 theta + 1 3/(2 4) cos^4 theta + ... + 1 3...(n-3)/(2 4...(n-2)) cos^(n-2) theta}
+ *     n odd: (2/pi) {theta + sin theta (cos theta + 2/3 cos^3 theta + ... + 2 4...(n-3)/(3 5...(n-2)) cos^(n-2) theta)}
+ *     n even: sin theta {1 + 1/2 cos^2 theta + 1 3/(2 4) cos^4 theta + ... + 1 3...(n-3)/(2 4...(n-2)) cos^(n-2) theta}
  *
- * It grows with theta, so the quantile is found by bisection. All terms are positive: nothing cancels. The number of seeds is a
- * small one, so n terms cost nothing. */
+ * It grows with theta, so the quantile is found by bisection. All terms are positive: nothing cancels. The number of
+ * seeds is small, so n terms cost nothing. */
 #include "base/student.h"
 #include "base/math.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* A run has a number. The caller writes what is to be done, then the number: a thread that reads the new number also sees the work. A
- * share is taken by setting its own number from that of the run before to that of this run, which only one thread can
- * do. A thread that comes late fails at that, and does not look at the work, which may be of the next run already. */
+/* A run has a number. The caller writes the work, then the number: a thread that reads the new number also sees the
+ * work. A share is taken by setting its own number from that of the run before to that of this run, which only one
+ * thread can do. A late thread fails at that and does not look at the work, which may already be of the next run. */
 #include "base/threads.h"
 
 #include "base/alloc.h"
@@ -17,7 +17,7 @@ enum { LOOKS = 4000, CACHE_LINE = 64 };
 typedef struct member {
     _Alignas(CACHE_LINE) _Atomic uint64_t taken; /* number of the last run in which its share was taken */
     tr_threads *threads;
-    pthread_t thread; /* of all but the first, which is the caller */
+    pthread_t thread; /* of all threads except the first, which is the caller */
 } member;
 
 struct tr_threads {
@@ -41,7 +41,7 @@ static void relax(void) {
 #endif
 }
 
-/* With the lock: who goes to sleep holds it from his last look on. */
+/* With the lock: a thread that goes to sleep holds it from its last look on. */
 static void wake(tr_threads *t, pthread_cond_t *who) {
     pthread_mutex_lock(&t->lock);
     pthread_cond_broadcast(who);
@@ -66,7 +66,7 @@ static uint64_t wait_for_run(tr_threads *t, uint64_t seen) {
         relax();
     }
     pthread_mutex_lock(&t->lock);
-    atomic_fetch_add(&t->sleeping, 1); /* before the last look, as the caller looks at it after it has begun a run */
+    atomic_fetch_add(&t->sleeping, 1); /* before the last look: the caller looks at it after it has begun a run */
     while (atomic_load(&t->run) == seen) pthread_cond_wait(&t->begun, &t->lock);
     atomic_fetch_sub(&t->sleeping, 1);
     pthread_mutex_unlock(&t->lock);
@@ -100,7 +100,7 @@ static void *live(void *context) {
     }
 }
 
-/* A new thread has the mask of the one that makes it. */
+/* A new thread inherits the mask of its maker. */
 static int make_threads(tr_threads *t) {
     sigset_t all, before;
     int error = 0;

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Threads that share work. They are made once, and wait between two pieces of work.
+/* Threads that share work. They are made once, and wait between runs.
  *
  * Work is cut into as many shares as there are threads. Thread k takes share k, so that the data of a share stay near
- * one processor. A thread that is done takes any share that nobody has begun: where another program holds a processor,
- * work does not wait for the thread that cannot run. Results must therefore not depend on which thread does a share.
+ * one processor. A thread that is done takes any share that no thread has begun. So if another program holds a
+ * processor, work does not wait for the blocked thread. Results must not depend on the thread that does a share.
  *
- * WAITING. A thread first looks again and again, for about 100 microseconds, and then sleeps. It sleeps at once where there
- * are more threads than processors. */
+ * WAITING. A thread first polls for about 100 microseconds, and then sleeps. It sleeps at once if there are more
+ * threads than processors. */
 #ifndef TR_THREADS_H
 #define TR_THREADS_H
 
@@ -18,7 +18,7 @@ enum { TR_MOST_THREADS = 1024 };
 
 typedef struct tr_threads tr_threads;
 
-/* n threads (1 to TR_MOST_THREADS), the caller among them. Signals go to the caller: all are blocked in the others.
+/* n threads (1 to TR_MOST_THREADS), including the caller. Signals go to the caller: the others block them.
  * NULL and TR_FILE in st when memory or the threads of the system are short. */
 tr_threads *tr_threads_new(int n, tr_status *st);
 
@@ -29,15 +29,15 @@ void tr_threads_free(tr_threads *threads);
 int tr_threads_count(const tr_threads *threads);
 
 /* work(context, k) once for each k from 0 to n - 1; all are done when it returns. NULL: the caller does the one share.
- * By one caller at a time, and not from within work. */
+ * Call it from one thread at a time, and not from within work. */
 void tr_threads_run(tr_threads *threads, void (*work)(void *context, int k), void *context);
 
-/* Where share k of n begins; where it ends share k + 1 does. */
+/* The start of share k of n; it ends where share k + 1 starts. */
 static inline int tr_threads_share(int all, int k, int n) {
     return (int)((int64_t)all * k / n);
 }
 
-/* That this process may use. */
+/* Processors that this process may use. */
 static inline int tr_processors(void) {
     cpu_set_t set;
     return sched_getaffinity(0, sizeof set, &set) ? 1 : CPU_COUNT(&set);

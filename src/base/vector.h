@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* TR_VECTOR marks a loop over arrays that should be compiled for several vector widths, the best chosen when the
- * program starts. The results are the same bits in each: no reduction is reordered and -ffp-contract=off forbids fused
+/* TR_VECTOR marks a loop over arrays that is compiled for several vector widths; the program chooses the best at its
+ * start. The results are the same bits in each: no reduction is reordered and -ffp-contract=off forbids fused
  * multiply-add. */
 #ifndef TR_VECTOR_H
 #define TR_VECTOR_H
@@ -12,7 +12,7 @@
 #endif
 
 /* Four doubles that move as one: the state of a disk (core/world.h). Lanes are read like an array: q[0]. A GNU C
- * vector, which gcc and clang also take apart where the machine has no such registers. */
+ * vector: gcc and clang split it on machines without such registers. */
 typedef double tr_quad __attribute__((vector_size(32), may_alias));
 
 #endif
