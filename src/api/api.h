@@ -13,7 +13,7 @@ struct trundle_scene {
     tr_scene scene;
 };
 
-/* Numbers of cases and laws have a point, whatever the locale of the program: around all that reads or writes text. */
+/* Numbers of cases and laws have a point in any locale: put this around code that reads or writes text. */
 typedef struct tr_api_locale {
     locale_t own, before;
 } tr_api_locale;

@@ -30,13 +30,13 @@ static bool check(const trundle_pair *p, tr_status *st) {
            tr_status_fail(st, TR_BAD_CASE, "error: the normal of the plane must have the length 1");
 }
 
-/* The keys of `contact` and no others: a brace would end the mapping, a name of `disks` would mean a disk of the frame. */
+/* Only the keys of `contact`: a brace would end the mapping, a name of `disks` would mean a disk of the frame. */
 static bool check_laws(const char *laws, tr_status *st) {
     if (strpbrk(laws, "{}")) return tr_status_fail(st, TR_BAD_CASE, "error: laws: `{` and `}` are not allowed");
     return !strstr(laws, "disks.") || tr_status_fail(st, TR_BAD_CASE, "error: laws: `disks` is not allowed here");
 }
 
-/* The closing braces stand on a line of their own, for the laws may end with a comment. */
+/* The closing braces have their own line, because the laws may end with a comment. */
 static bool read_laws(tr_scene *scene, const char *laws, tr_status *st) {
     static const char frame[] = "{kind: bodies, time_end: 1, disks: [{radius: 1, x: 0, y: 0}], contact: {%s\n}}\n";
     size_t room = sizeof frame + strlen(laws);
@@ -63,7 +63,7 @@ static void place(trundle_contact *c, const trundle_body *one, const trundle_bod
     }
 }
 
-/* An open contact has no history. The first forces make the list, so there the bodies touch. */
+/* An open contact has no history. The first forces make the list, so the bodies touch then. */
 static bool set_up(trundle_contact *c, const trundle_pair *p, tr_status *st) {
     tr_world *w = &c->world;
     c->plane = p->R1 == 0;
@@ -100,7 +100,7 @@ void trundle_contact_free(trundle_contact *c) {
     free(c);
 }
 
-/* Histories are set to 0, not only forgotten by opening: a number that is not finite would stay. */
+/* Histories are set to 0. Opening the contact is not enough: a number that is not finite would stay. */
 void trundle_contact_reset(trundle_contact *c) {
     const tr_disks *d = &c->world.disks;
     tr_group *g = &c->world.group[c->plane];
@@ -119,7 +119,7 @@ static bool is_finite(const trundle_body *b, bool plane) {
     return isfinite(b->x) && isfinite(b->y) && isfinite(b->vx) && isfinite(b->vy) && (plane || isfinite(b->spin));
 }
 
-/* What no step may be taken with: the contact stays as it is. */
+/* Input that no step may use: the contact stays as it is. */
 static bool can_step(const trundle_contact *c, double dt, const trundle_body *one, const trundle_body *two,
                      tr_status *st) {
     if (!(dt > 0) || !isfinite(dt)) return tr_status_fail(st, TR_BAD_CASE, "error: dt = %g s; it must be positive", dt);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Worlds of the public face. Between two calls a world has positions and forces of the same instant, and velocities
- * half a step behind (core/step.h); what is read of velocities is of the instant. */
+ * half a step behind (core/step.h). Velocities that are read belong to the instant. */
 #include "api/api.h"
 #include "base/alloc.h"
 #include "core/biaxial.h"
