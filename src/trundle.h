@@ -13,7 +13,7 @@
  * OWNERSHIP. What a `new` or `read` function returns is yours: give it to the `free` function of its type. free
  * functions take NULL. Strings that a function returns belong to the library and stay valid.
  *
- * LOCALE. Numbers of cases and laws have a point, whatever the locale of your program.
+ * LOCALE. Numbers of cases and laws have a point in any locale.
  *
  * THREADS. Nothing is shared between objects. Use one object from one thread at a time. */
 #ifndef TRUNDLE_H
@@ -117,7 +117,8 @@ TRUNDLE_API int trundle_world_biaxial(trundle_world *world, trundle_biaxial *sta
 typedef struct trundle_contact trundle_contact;
 
 /* Two disks, or with R1 = 0 a plane (body 1) and a disk. Densities give the masses for dashpots [kg/m^3]; m = density
- * pi R^2. Normal of the plane, towards the disk: nx, ny, of length 1; ignored for two disks. Laws for spheres are refused. */
+ * pi R^2. Normal of the plane, towards the disk: nx, ny, of length 1; ignored for two disks. Laws for spheres are
+ * refused. */
 typedef struct trundle_pair {
     double R1, R2, density1, density2, nx, ny;
 } trundle_pair;
@@ -133,15 +134,15 @@ typedef struct trundle_force {
 } trundle_force;
 
 /* laws: what stands in `contact: {...}` of a case: "k_n: 1 MPa, friction: dahlberg-alfredsson, mu: 0.3, k_t: 1 MPa,
- * E_star: 2.5 MPa, rolling: none". Without `rolling` the law is wang-spring, which needs mu_r. The contact starts without
- * history. */
+ * E_star: 2.5 MPa, rolling: none". Without `rolling` the law is wang-spring, which needs mu_r. The contact starts
+ * without history. */
 TRUNDLE_API trundle_contact *trundle_contact_new(const char *laws, const trundle_pair *pair, trundle_error *error);
 TRUNDLE_API void trundle_contact_free(trundle_contact *contact);
 
 /* One step of dt > 0 that ends in this state: history moves on by dt, and the forces are those of the end. Positions
  * and velocities are those that your code has when it computes forces. A contact that is open gives 0 and forgets its
- * history. TRUNDLE_NUMERICAL: a position or a velocity is not finite, or both centres coincide, and the contact stays as
- * it was; or a force is not finite, and the contact has forgotten its history. The force is 0 then. */
+ * history. TRUNDLE_NUMERICAL: a position or a velocity is not finite, or both centres coincide, and the contact stays
+ * as it was; or a force is not finite, and the contact has forgotten its history. The force is 0 then. */
 TRUNDLE_API int trundle_contact_step(trundle_contact *contact, double dt, const trundle_body *one,
                                      const trundle_body *two, trundle_force *force, trundle_error *error);
 
