@@ -3,7 +3,9 @@
  *
  * A file with state lists it in one function, a TR_KEEP for each field. The same function saves and loads:
  *
- *     void tr_ball_checkpoint(tr_ball *ball, tr_checkpoint *c) { TR_KEEP(c, ball->x, 3); TR_KEEP(c, &ball->bounces, 1);
+ *     void tr_ball_checkpoint(tr_ball *ball, tr_checkpoint *c) {
+ *         TR_KEEP(c, ball->x, 3);
+ *         TR_KEEP(c, &ball->bounces, 1);
  *     }
  *
  * To load, the run is first built like a new one; then the fields replace its values. Values that follow from the case,
