@@ -40,8 +40,8 @@ static void nothing(void *context, tr_group *group, tr_tile *tile) {
     (void)context, (void)group, (void)tile;
 }
 
-/* Time of one walk over the present state with the first n_pass passes [s]; n_pass < 0: the whole force step. Nothing moves: dt
- * is 0. */
+/* Time of one walk over the present state with the first n_pass passes [s]; n_pass < 0: the whole force step. Nothing
+ * moves: dt is 0. */
 static double time_walk(tr_world *world, int n_pass, tr_status *st) {
     int whole[2] = {world->group[0].n_pass, world->group[1].n_pass}, calls = 300000 / (world->group[0].n + 100) + 1;
     double start = tr_bench_clock(world);
@@ -60,7 +60,7 @@ static double time_walk(tr_world *world, int n_pass, tr_status *st) {
     return (tr_bench_clock(world) - start) / calls;
 }
 
-/* What each pass adds: the walk is cut after every pass in turn, and the whole is repeated. */
+/* The time that each pass adds: the walk is cut after each pass in turn, and all of this is repeated. */
 static void time_passes(tr_world *world, tr_bench_report *r, tr_status *st) {
     static const char *const ends[] = {"scatter", "integration, walls, lists"};
     double added[MAX_STAGES][REPEATS];
@@ -94,7 +94,7 @@ typedef struct subject {
     double ns[BLOCKS], step[BLOCKS], frame[BLOCKS]; /* per contact, per step [s], to draw one [s] */
 } subject;
 
-/* Takes the packing of the first. Histories stay: as long as it follows, those of its own laws. */
+/* Takes the packing of the first scene. Its histories stay: they belong to its own laws. */
 static void follow(subject *s, const subject *first) {
     tr_world *to = &s->b.world;
     const tr_world *from = &first->b.world;
@@ -135,7 +135,7 @@ static bool run_block(subject *s, int k, tr_bench_report *r, tr_status *st) {
     int64_t updates = 0, steps = s->b.shear_steps / BLOCKS - 1;
     double start = 0;
     world->stale = true;
-    for (int64_t n = -1; n < steps; n++) { /* the first, with the new list that the new packing needs, does not count */
+    for (int64_t n = -1; n < steps; n++) { /* the first step makes a new list for the new packing, and does not count */
         if (n == 0) start = tr_bench_clock(world), updates = world->contact_updates;
         if (!tr_biaxial_forces(&s->b, st)) return false;
         tr_step_advance(world);

@@ -1,20 +1,21 @@
 /* SPDX-License-Identifier: MIT */
-/* One packing, sheared here and, from the files that are written, in LAMMPS (tests/bench/peers.sh).
+/* One packing, sheared here and, from the written files, in LAMMPS (tests/bench/peers.sh).
  *
- * SCENE. The compacted sample of a biaxial test without its walls: the disks at the walls (centre within a mean diameter) are
- * a rim that moves by itself, as in a homogeneous flow: y is shortened at the rate of the shear, x stretched at 0.3 of it, which
- * keeps about 700 contacts closed. So both codes have only disks, and the load is a motion, which needs no servo. All disks start
- * with that flow.
+ * SCENE. The compacted sample of a biaxial test without its walls: the disks at the walls (centre within a mean
+ * diameter) are a rim that moves by itself, as in a homogeneous flow: y is shortened at the rate of the shear, x
+ * stretched at 0.3 of it, which keeps about 700 contacts closed. So both codes have only disks, and the load is a
+ * motion, which needs no servo. All disks start with that flow.
  *
- * SAME LAWS. LAMMPS pair_style granular: the dashpot of damping tsuji is alpha(e) sqrt(k m_eff), here 2 zeta sqrt(k m_eff), so e
- * solves alpha(e) = 2 zeta; limit_damping is f_n >= 0; linear_history without dashpot is coulomb-spring; rolling sds without dashpot
- * is wang-spring with the rolling velocity wang. gran/hooke/history, which is faster, has no rolling resistance and the dashpot
- * gamma m_eff. What differs: the arms of friction, here R_k |X21|/(R1+R2), there without, or with another, part of the overlap.
+ * SAME LAWS. LAMMPS pair_style granular: the dashpot of damping tsuji is alpha(e) sqrt(k m_eff), here 2 zeta sqrt(k
+ * m_eff), so e solves alpha(e) = 2 zeta; limit_damping is f_n >= 0; linear_history without dashpot is coulomb-spring;
+ * rolling sds without dashpot is wang-spring with the rolling velocity wang. gran/hooke/history, which is faster, has
+ * no rolling resistance and the dashpot gamma m_eff. Differences: the arms of friction, here R_k |X21|/(R1+R2), in
+ * LAMMPS with no part, or another part, of the overlap.
  *
- * SAME BODIES. LAMMPS has a sphere's mass from diameter and density, so the density is 3/(4R) times that of a disk of 1 m length; fix
- * nve/sphere disc has m R^2/2.
- * SAME TIME. Velocity Verlet makes the half step v + dt/2 F/m, leapfrog has it: LAMMPS starts with v^(-1/2) + dt/2 F/m, and the
- * kinetic energies are those of v^(n-1/2) + dt/2 F/m. */
+ * SAME BODIES. LAMMPS has a sphere's mass from diameter and density, so the density is 3/(4R) times that of a disk of 1
+ * m length; fix nve/sphere disc has m R^2/2.
+ * SAME TIME. Velocity Verlet makes the half step v + dt/2 F/m, leapfrog has it: LAMMPS starts with v^(-1/2) + dt/2 F/m,
+ * and the kinetic energies are those of v^(n-1/2) + dt/2 F/m. */
 #include "study/bench_packing.h"
 
 #include "core/pipeline.h"
@@ -77,7 +78,7 @@ static bool write_data(const tr_world *world, const char *dir, tr_status *st) {
     return tr_file_commit(&file, st);
 }
 
-/* The restitution coefficient that stands for a damping ratio: [Tsuji1992 fig. 2], as LAMMPS has it. */
+/* The restitution coefficient for a damping ratio: [Tsuji1992 fig. 2], as in LAMMPS. */
 static double restitution(double zeta) {
     double low = 0, high = 1;
     for (int k = 0; k < 60; k++) {

@@ -9,7 +9,7 @@ enum { TR_BENCH_COMPARED = 1000, TR_BENCH_TIMED = 5000 }; /* steps: up to where 
 
 typedef struct tr_bench_state {
     int touching;
-    double kinetic, spinning; /* energy of the disks that are not held [N] */
+    double kinetic, spinning; /* energy of the disks that are free [N] */
     double xx, yy;            /* sums of force times branch over the contacts: stress times area [N] */
 } tr_bench_state;
 

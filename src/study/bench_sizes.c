@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* What a step costs against the number of disks.
+/* Time of a step against the number of disks.
  *
- * PACKING. Compacting a million disks takes days, so a larger sample is a wall of tiles: one sample of 1000 disks, compacted
- * like any other, and its mirror images. A disk that pressed on a wall now presses on its own image, with twice the overlap,
- * which is a thousandth of a diameter, until both have moved. Numbers are by place, as in a sample that is thrown.
+ * PACKING. Compacting a million disks takes days, so a larger sample is a wall of tiles: one sample of 1000 disks,
+ * compacted like any other, and its mirror images. A disk that pressed on a wall now presses on its own image, with
+ * twice the overlap, which is a thousandth of a diameter, until both have moved. Numbers are by place, as in a
+ * generated sample.
  *
- * MOTION. All start with the homogeneous approach of the walls that drive the shear, for in a large sample it would take thousands of
- * steps for the motion of the walls to reach the inside. The strain rate is the same for all sizes, so that in a larger sample the
- * disks move faster and lists are made more often: that is a cost of size, and part of what is measured.
+ * MOTION. All start with the homogeneous approach of the walls that drive the shear. Otherwise, in a large sample, the
+ * motion of the walls would need thousands of steps to reach the inside. The strain rate is the same for all sizes, so
+ * in a larger sample disks move faster and lists are made more often. This is a cost of size and is measured.
  *
  * A CYCLE is all steps from a search (the wide list) up to the next. */
 #include "study/bench_sizes.h"
@@ -25,9 +26,9 @@
 enum { TILE = 1000 };
 
 typedef struct subject {
-    tr_scene scene; /* that of all, but for the number of disks */
+    tr_scene scene; /* the scene of all, except for the number of disks */
     tr_biaxial b;
-    double search; /* time of the forces with which the next cycle begins [s] */
+    double search; /* time of the forces at the start of the next cycle [s] */
     double us[TR_BENCH_CYCLES], ns[TR_BENCH_CYCLES];
 } subject;
 
@@ -88,7 +89,8 @@ static bool prepare(subject *s, const tr_scene *scene, int disks, int threads, c
     return true;
 }
 
-/* Cycle -1 is not counted. One of a million disks, two minutes, takes as long as all others: only one, and it counts. */
+/* Cycle -1 is not counted. A cycle of a million disks takes two minutes, as long as all others: only one, and it
+ * counts. */
 static int cycles(int disks) {
     return disks > 100000 ? 1 : TR_BENCH_CYCLES;
 }
@@ -97,7 +99,7 @@ static bool has_cycle(int disks, int k) {
     return k < cycles(disks) && (k >= 0 || cycles(disks) == TR_BENCH_CYCLES);
 }
 
-/* The clock is read at new lists alone: it would be a tenth of a step of 100 disks. */
+/* The clock is read only at new lists: reading it takes a tenth of a step of 100 disks. */
 static bool run_cycle(subject *s, int k, tr_bench_size *r, tr_status *st) {
     tr_world *world = &s->b.world;
     int64_t searches = world->searches, refreshes = world->refreshes, updates = world->contact_updates, last = updates,

@@ -16,7 +16,7 @@ typedef struct sight {
     const tr_bodies *b;
     const tr_record *contact; /* NULL: none */
     double time;
-    double x, y, v[3], force[3]; /* force: of its contacts; the third of each is of the rotation */
+    double x, y, v[3], force[3]; /* force: of its contacts; the third of each is for the rotation */
     double speed, energy;
 } sight;
 
@@ -24,7 +24,8 @@ typedef struct tr_checking {
     bool done;          /* value is final */
     double value;       /* NaN: has not happened yet */
     double sum, weight; /* of the mean; of a creepage, its two velocities */
-    double before[2];   /* time, and value of the step before: of what an event watches; speed at the start */
+    double before[2];   /* time, and value at the step before, of the watched quantity of an event; speed at the
+                         * start */
     sight start;
 } item;
 
@@ -40,7 +41,7 @@ void tr_checks_free(tr_checks *c) {
     *c = (tr_checks){0};
 }
 
-/* An event is always due. A window takes the steps within half a step of it, so that an instant has one. */
+/* An event is always due. A window contains the steps within half a step of it, so that an instant has one step. */
 static bool is_due(const tr_scene_check *check, double time, double dt) {
     tr_when when = tr_whats[check->what].when;
     double over = when == TR_SINCE && check->over == 0 ? check->at : check->over;
@@ -68,7 +69,7 @@ static sight look(const tr_bodies *b, int disk, const tr_record *contact) {
     return now;
 }
 
-/* ---- the functions of TR_WHATS: each sets the value, and of an event `done` */
+/* ---- the functions of TR_WHATS: each sets the value and, for an event, `done` */
 
 static void mean(item *it, double value, double weight) {
     it->sum += value, it->weight += weight;
@@ -101,7 +102,7 @@ static void creepage(item *it, const sight *now) {
     it->value = fabs(it->value);
 }
 
-/* What the contact takes by friction and rolling: -(forces and moments on the bodies times their velocities). */
+/* Power that the contact takes by friction and rolling: -(forces and moments on the bodies times their velocities). */
 static void power_lost(item *it, const sight *now) {
     const tr_record *r = now->contact;
     const double *vel = now->b->world.disks.vel;
@@ -125,7 +126,7 @@ static void acceleration(item *it, const sight *now) {
     it->value = (now->speed - it->before[1]) / (now->time - it->before[0]);
 }
 
-/* When the velocity along the way at the start first is 0. */
+/* The first time when the velocity along the initial direction is 0. */
 static void stop_time(item *it, const sight *now) {
     crosses(it, now->time, now->v[0] * it->start.v[0] + now->v[1] * it->start.v[1]);
 }
@@ -191,7 +192,7 @@ void tr_checks_results(const tr_checks *c, tr_check_result *result) {
 
 /* ---- thresholds ---- */
 
-/* On a slope: the normal of wall 0, and the way down that gravity already leans to, else along t. */
+/* On a slope: the normal of wall 0, and the direction down along gravity, else along t. */
 static void lean(tr_scene *scene, double slope) {
     const tr_scene_wall *w = scene->walls;
     double g = tr_hypot(scene->gravity.x, scene->gravity.y), tx = w->ny, ty = -w->nx;
@@ -201,8 +202,8 @@ static void lean(tr_scene *scene, double slope) {
     scene->gravity.turn = 0;
 }
 
-/* What the function of the check gives in the second half of a run from rest. In the first half the springs take up the
- * load. */
+/* The result of the function of the check in the second half of a run from rest. In the first half the springs take up
+ * the load. */
 static bool creeps(tr_bodies *b, const tr_scene_check *check, double *distance, const tr_run_options *options,
                    tr_status *st) {
     item it = {0};

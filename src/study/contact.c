@@ -24,7 +24,7 @@ typedef struct line {
     double *hist_at[2][TR_MAX_HIST], *pair_at[2][TR_MAX_PAIR];
     tr_half_plane *exact; /* of the law that is solved by patch/, else NULL */
     double mu;            /* of it */
-    bool creeps;          /* friction goes by the width of the contact, so by how far it rolls */
+    bool creeps;          /* friction depends on the width of the contact, so on the rolled distance */
     double R1, R2, g1, E_star;
     double P, delta;             /* now */
     double P_start, delta_start; /* at the start of the segment */
@@ -38,7 +38,7 @@ struct tr_contact {
     line *lines;                    /* one for each item of laws */
 };
 
-/* Of an item: that of its friction law, of its normal law, or of the bodies. */
+/* Of an item: from its friction law, its normal law, or the bodies. */
 static double modulus(const tr_scene_contact *laws, const tr_scene *scene) {
     const double *friction = tr_law_value(tr_laws_friction[laws->friction.law], laws->friction.par, "E_star");
     const double *normal = tr_law_value(tr_laws_normal[laws->normal.law], laws->normal.par, "E_star");
@@ -95,7 +95,7 @@ static bool set_exact(line *l, const tr_scene_contact *laws, const tr_scene *sce
     return (l->exact = tr_half_plane_new(&pair, *tr_law_count(l->friction, par, "elements"), st)) != NULL;
 }
 
-/* The normal law is a curve here, without its dashpot: what is given of force and overlap gives the other. */
+/* The normal law is a curve here, without its dashpot: force gives overlap, or the reverse. */
 static void press(line *l, bool by_force, double value) {
     if (by_force) {
         l->P = value;
@@ -106,7 +106,7 @@ static void press(line *l, bool by_force, double value) {
     }
 }
 
-/* The segment begins where the path has got to; the first one with its own force or overlap. */
+/* The segment begins at the present point of the path; the first one begins with its own force or overlap. */
 static void begin_segment(tr_contact *c) {
     const tr_scene_segment *g = &c->scene->path[c->segment];
     bool by_force = !isnan(g->force);
@@ -152,7 +152,7 @@ int64_t tr_contact_steps(const tr_scene *scene) {
     return steps;
 }
 
-/* The pipeline of an assembly, less the normal law. */
+/* The pipeline of an assembly, without the normal law. */
 static bool run_passes(line *l, double w1, double w2, double dt, tr_status *st) {
     tr_tile *t = &l->tile;
     t->dt = dt;
@@ -213,7 +213,7 @@ bool tr_contact_step(tr_contact *c, tr_contact_state *state, tr_status *st) {
     const tr_scene_pair *pair = &c->scene->pair;
     const tr_scene_segment *g = &c->scene->path[c->segment];
     const bool by_force = !isnan(g->force), last = c->k == g->steps;
-    const double dt = (g->time > 0 ? g->time : 1) / g->steps; /* no law that asks for a time is without one */
+    const double dt = (g->time > 0 ? g->time : 1) / g->steps; /* a law that needs a time has one */
     const double v_slide = g->slide / (dt * g->steps), v_roll = g->roll / (dt * g->steps);
     const double w1 = (v_slide / 2 - v_roll) / pair->R1, w2 = (v_slide / 2 + v_roll) / pair->R2;
     const double part = (double)c->k / g->steps, goal = by_force ? g->force : g->overlap;

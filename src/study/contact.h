@@ -1,25 +1,25 @@
 /* SPDX-License-Identifier: MIT */
 /* One contact, driven along a path: the passes of assemblies, fed with a prescribed motion instead of moving bodies.
  *
- * The line of centres stands still, R1 + R2 long (overlaps are small against the radii), so betadot = 0, s1 = R1 w1,
- * s2 = -R2 w2, Vs = s1 - s2. From the rates of a segment, slide' = Vs and roll' = -(s1 + s2)/2 (along t, as the
+ * The line of centres does not move; its length is R1 + R2 (overlaps are small against the radii), so betadot = 0, s1 =
+ * R1 w1, s2 = -R2 w2, Vs = s1 - s2. From the rates of a segment, slide' = Vs and roll' = -(s1 + s2)/2 (along t, as the
  * material runs):
  *
  *   w1 = (slide'/2 - roll')/R1,   w2 = (slide'/2 + roll')/R2
  *
  * The normal force or the overlap is prescribed, linear over a segment, and the elastic curve of the item's normal law
  * gives the other. The path begins at those of its first segment, at rest with Q = 0. Step k of n has those of its end,
- * f_n = f_elastic = P(k/n), as a step of an assembly uses the force of the positions that it has reached. A law takes a step as
- * one, as in an assembly; a row of a path file is not a step: a law that creeps takes it in steps of an element or less. The
- * half-plane of `friction: exact` cuts both by itself (patch/cut.h). Each item of laws has a tile of its own with one contact in
- * it, for a pass takes one set of parameters. */
+ * f_n = f_elastic = P(k/n), as a step of an assembly uses the force of the reached positions. A law takes a step as a
+ * whole, as in an assembly. A row of a path file is not a step: a law that creeps takes it in steps of an element or
+ * less. The half-plane of `friction: exact` cuts both by itself (patch/cut.h). Each item of laws has its own tile with
+ * one contact, because a pass takes one set of parameters. */
 #ifndef TR_CONTACT_H
 #define TR_CONTACT_H
 
 #include "base/status.h"
 #include "scene/scene.h"
 
-/* What the law left behind after a step. */
+/* The state of a law after a step. */
 typedef struct tr_contact_state {
     int law;                        /* number in scene->laws */
     int64_t step;                   /* from 1, over the whole path */

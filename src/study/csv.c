@@ -86,7 +86,7 @@ static bool end_row(reader *c) {
     return c->format->row(c->context, &c->at);
 }
 
-/* libcsv calls these; it cannot be stopped, so after a failure they do nothing. Cells end with a zero byte. */
+/* libcsv calls these; it cannot be stopped, so after a failure these do nothing. Cells end with a zero byte. */
 static void on_cell(void *cell, size_t length, void *data) {
     reader *c = data;
     const char *text = cell;
@@ -97,7 +97,7 @@ static void on_cell(void *cell, size_t length, void *data) {
         tr_csv_fail(&c->at, c->at.line, "a zero byte: not a text file in UTF-8 or ASCII");
     else if (!c->n_cells)
         header_cell(c, text);
-    else if (c->cell < c->n_cells && c->column[c->cell] != IGNORED) /* too many are told at the end of the row */
+    else if (c->cell < c->n_cells && c->column[c->cell] != IGNORED) /* too many are reported at the end of the row */
         c->format->cell(c->context, &c->at, c->column[c->cell], text, length);
     for (size_t i = 0; i < length; i++) c->at.line += text[i] == '\n'; /* in quotes */
     c->cell++;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads a table from a CSV file: a header line that names the columns, in any order, then rows of as many cells. libcsv
- * is behind it; what it does not say is here: lines, missing columns, text that is no number.
+/* Reads a table from a CSV file: a header line that names the columns, in any order, then rows of as many cells. It
+ * uses libcsv and adds messages with lines, for missing columns and for text that is not a number.
  *
  * Rows stream: memory does not grow with the file. */
 #ifndef TR_STUDY_CSV_H
@@ -9,20 +9,21 @@
 #include "base/status.h"
 #include <stddef.h>
 
-/* Where the reader is, for the callbacks. */
+/* The position of the reader, for the callbacks. */
 typedef struct tr_csv {
     const char *path;
     long line, row_line; /* of the cell being read, of the start of its row; from 1 */
     tr_status *st;
 } tr_csv;
 
-/* What a table must have and who takes it. A callback that returns false has told why, by tr_csv_fail or otherwise. */
+/* The columns of a table and the callbacks. A callback that returns false has written the error, by tr_csv_fail or
+ * otherwise. */
 typedef struct tr_csv_format {
     const char *const *columns;                /* their names; other columns of the file are ignored */
     int n, required;                           /* the first `required` of the n must be there */
     const char *example;                       /* how a header line begins */
     bool (*begin)(void *context, tr_csv *csv); /* the header is read; NULL: nothing to do */
-    /* A cell of column k of `columns`; text ends in NUL and holds no other. */
+    /* A cell of column k of `columns`; text ends in NUL and has no other. */
     bool (*cell)(void *context, tr_csv *csv, int k, const char *text, size_t length);
     bool (*row)(void *context, tr_csv *csv); /* after the last cell of a row */
 } tr_csv_format;
@@ -33,10 +34,10 @@ bool tr_csv_read(const char *path, const tr_csv_format *format, void *context, t
 /* Fails with "path:line: error: ...". Returns false. */
 bool tr_csv_fail(tr_csv *csv, long line, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-/* A decimal number, or with may_be_inf `inf`: not all that strtod takes. name: the column. */
+/* A decimal number or, with may_be_inf, `inf`: less than strtod allows. name: the column. */
 bool tr_csv_number(tr_csv *csv, const char *name, const char *text, bool may_be_inf, double *value);
 
-/* A cell as a message may show it: short, and nothing that a terminal would obey. */
+/* A cell for a message: short, without control characters. */
 enum { TR_CSV_SHOWN = 44 };
 const char *tr_csv_show(const char *text, char to[TR_CSV_SHOWN]);
 

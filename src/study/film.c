@@ -20,12 +20,12 @@ typedef struct tr_film_crew {
     pthread_t thread[MOST];
     int n;
     tr_canvas *queue[QUEUE];         /* the strokes of frame k, in k % QUEUE */
-    int given, taken, done, written; /* frames; done: the turn of the next to be written */
+    int given, taken, done, written; /* frames; done: number of the next to be written */
     bool closing;
     tr_status failure; /* the first; after it nothing is written */
 } tr_film_crew;
 
-/* Frames a second: a film of a few frames lasts four seconds, but never crawls. */
+/* Frames a second: a film of a few frames lasts four seconds, but is never too slow. */
 static int frame_rate(int frames) {
     return (int)fmax(5, fmin(30, frames / 4.0));
 }
@@ -42,7 +42,7 @@ static bool write_frame(tr_film *film, int k, const tr_canvas *canvas, tr_status
     return !film->video || tr_video_frame(film->video, canvas, st);
 }
 
-/* The next frame and its strokes; -1: there will be no more. */
+/* The next frame and its strokes; -1: no more frames. */
 static int take(tr_film_crew *crew, tr_canvas **strokes) {
     pthread_mutex_lock(&crew->lock);
     while (crew->taken == crew->given && !crew->closing) pthread_cond_wait(&crew->changed, &crew->lock);
@@ -52,7 +52,7 @@ static int take(tr_film_crew *crew, tr_canvas **strokes) {
     return k;
 }
 
-/* In its turn. canvas NULL: it could not be drawn, st has the reason. */
+/* In order. canvas NULL: it could not be drawn, st has the reason. */
 static void hand_over(tr_film *film, int k, const tr_canvas *canvas, tr_status *st) {
     tr_film_crew *crew = film->crew;
     pthread_mutex_lock(&crew->lock);
@@ -80,7 +80,7 @@ static void *work(void *context) {
     return NULL;
 }
 
-/* At the first frame; of a run that goes on, not of the film. */
+/* At the first frame of the process, also in a resumed run. */
 static bool hire(tr_film *film, tr_status *st) {
     int error = 0;
     tr_film_crew *crew = film->crew = tr_alloc(1, sizeof *crew, st);
@@ -93,7 +93,7 @@ static bool hire(tr_film *film, tr_status *st) {
     return crew->n || tr_status_fail(st, TR_FILE, "error: no thread to draw frames: %s", strerror(error));
 }
 
-/* Until no more than that many frames are to be written. False: one has failed. */
+/* Waits until at most that many frames are not yet written. False: one has failed. */
 static bool wait_for(tr_film *film, int left, tr_status *st) {
     tr_film_crew *crew = film->crew;
     pthread_mutex_lock(&crew->lock);
@@ -138,7 +138,8 @@ bool tr_film_open(tr_film *film, const char *dir, const char *name, int frames, 
         return false;
     if (!tr_video_available())
         tr_run_note(report, "no film: ffmpeg is not installed; frames/ has the pictures");
-    else if (!add_films(dir, name, st) || !tr_dir_path(path, dir, name, st) || !(film->video = tr_video_open(path, film->rate, st)))
+    else if (!add_films(dir, name, st) || !tr_dir_path(path, dir, name, st) ||
+             !(film->video = tr_video_open(path, film->rate, st)))
         return false;
     return true;
 }

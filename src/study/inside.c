@@ -75,7 +75,8 @@ static void carter(tr_inside *o, const tr_patch_step *step) {
     tr_carter_stick(c, step->P, q, step->dr, zone);
     s->Q = q * c->mu * step->P;
     s->du = step->by_force ? tr_carter_creepage(c, step->P, q) * fabs(step->dr) : step->du;
-    double more = s->du - tr_carter_creepage(c, step->P, q) * fabs(step->dr); /* full slip: all slide as much more */
+    double more = s->du - tr_carter_creepage(c, step->P, q) * fabs(step->dr); /* full slip: all points slide equally
+                                                                               * further */
     for (int i = 0; i < s->n; i++) {
         s->tau[i] = tr_carter_tau(c, step->P, q, step->dr, s->x[i]);
         s->slip[i] = tr_carter_slip(c, step->P, q, step->dr, s->x[i]) * fabs(step->dr);
@@ -85,7 +86,7 @@ static void carter(tr_inside *o, const tr_patch_step *step) {
     }
 }
 
-/* Sliding one way from rest. What slides beyond full slip is the same everywhere. */
+/* Sliding in one direction from rest. Sliding beyond full slip is the same everywhere. */
 static void cattaneo(tr_inside *o, const tr_patch_step *step) {
     tr_patch_state *s = &o->closed;
     const tr_patch_pair *c = &o->pair;
@@ -121,7 +122,7 @@ static bool start(tr_inside *o, tr_status *st) {
     return o->P_start == 0 || o->scene->patch.solver > TR_BRUSH || advance(o, &(tr_patch_step){.P = o->P_start}, st);
 }
 
-/* A failure of a solver knows neither step nor segment. */
+/* A failure of a solver does not know step and segment: add them. */
 static bool tell_where(const tr_inside *o, tr_status *st) {
     size_t used = strlen(st->text);
     snprintf(st->text + used, sizeof st->text - used, ", at step %lld (path.%d)", (long long)o->step, o->segment);

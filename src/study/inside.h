@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The inside of one contact, driven along the path of a case by one of the solvers of patch/: the answer that the laws of
- * kind: contact are compared with on the same path.
+/* The inside of one contact, driven along the path of a case by one of the solvers of patch/. It is the reference for
+ * the laws of kind: contact on the same path.
  *
- * Rates are constant over a segment, its normal force and, where it is prescribed, its friction force linear; step k of
- * n has those of its end. Q before the first segment is 0. The half-plane and the brush cut a step into as many as they
- * need (patch/cut.h). */
+ * Rates are constant over a segment, its normal force and, if prescribed, its friction force are linear; step k of n
+ * has the values at its end. Q before the first segment is 0. The half-plane and the brush cut a step into as many as
+ * they need (patch/cut.h). */
 #ifndef TR_STUDY_INSIDE_H
 #define TR_STUDY_INSIDE_H
 
@@ -20,7 +20,7 @@ void tr_inside_free(tr_inside *inside);
 
 tr_patch_pair tr_inside_pair(const tr_scene *scene);
 
-/* One step; *state as kind: contact has it: law 0, no moments. Call it tr_contact_steps times. */
+/* One step; *state is like that of kind: contact: law 0, no moments. Call it tr_contact_steps times. */
 bool tr_inside_step(tr_inside *inside, tr_contact_state *state, tr_status *st);
 
 /* Tractions after the last step. Closed forms fill in the same elements, with values in their middle. */

@@ -84,8 +84,8 @@ static void gather_pair(lanes *b, int i, const tr_motion *m) {
     b->tile.w1[i] = m->w1, b->tile.w2[i] = m->w2;
 }
 
-/* Seen from the wall, which then rests: its material, continued to the centre of the disk, moves there with
- * v1 + w1 k x X21. */
+/* Seen from the wall, which then rests. Its material, continued to the centre of the disk, moves there with v1 + w1 k x
+ * X21. */
 static void gather_wall(lanes *b, int i, const tr_motion *m) {
     double dx = m->x2x - m->x1x, dy = m->x2y - m->x1y, L = sqrt(dx * dx + dy * dy);
     b->R1[i] = 0, b->R2[i] = m->R2, b->g1[i] = 1;
@@ -95,8 +95,8 @@ static void gather_wall(lanes *b, int i, const tr_motion *m) {
     b->tile.w1[i] = 0, b->tile.w2[i] = m->w2 - m->w1;
 }
 
-/* What no pass computes, and what kinematics left in the tile. g1 = R1/(R1+R2), at a wall 1: there the formulas with g1
- * are the limits for R1 -> inf. */
+/* Numbers that no pass computes, and numbers that kinematics left in the tile. g1 = R1/(R1+R2), at a wall 1: there the
+ * formulas with g1 are the limits for R1 -> inf. */
 static void derive(const lanes *b, int i, const tr_motion *m, tr_motion_measures *out) {
     const tr_tile *t = &b->tile;
     double g1 = b->g1[i], g2 = 1 - g1, w1 = t->w1[i], w2 = t->w2[i];
@@ -140,7 +140,7 @@ bool tr_measures_motions(const tr_motion *motion, int n, tr_motion_measures *mea
            tr_n_arms_measured <= TR_MOST_ARMS);
     memset(measures, 0, (size_t)n * sizeof *measures);
     b->tile.R1 = b->R1, b->tile.R2 = b->R2, b->tile.g1 = b->g1;
-    for (int wall = 0; wall < 2; wall++) /* as in an assembly: pairs in tiles of their own, then walls */
+    for (int wall = 0; wall < 2; wall++) /* as in an assembly: tiles of pairs, then of walls */
         for (int next = 0; next < n;) {
             int filled = 0;
             for (; next < n && filled < TR_TILE; next++) {
@@ -249,7 +249,7 @@ static bool cell(void *context, tr_csv *csv, int column, const char *text, size_
     return true;
 }
 
-/* Lengths whose squares are neither infinite nor short of digits. */
+/* Lengths whose squares are finite and have all digits. */
 static bool in_range(double length) {
     return length >= 1e-150 && length <= 1e150;
 }
@@ -306,7 +306,7 @@ static tr_motion floor_motion(double v, double w, double R2) {
         .R1 = INFINITY, .R2 = R2, .x1x = 0.02, .x1y = -0.01, .x2x = 0.02, .x2y = -0.01 + R2, .v2x = v, .w2 = w};
 }
 
-/* The same for an observer who moves and turns about the origin: all that moves gets a rigid motion. */
+/* The same for an observer who moves and turns about the origin: everything gets a rigid motion. */
 static tr_motion seen_moving(tr_motion m) {
     static const double ux = 0.03, uy = -0.02, W = 3;
     m.v1x += ux - W * m.x1y, m.v1y += uy + W * m.x1x, m.w1 += W;

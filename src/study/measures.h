@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* Every rolling and sliding measure of one motion of two bodies at a contact: of rows of a CSV file, and of the card of
- * the pure motions. What a pass of laws/ computes comes from that pass, run over tiles as in an assembly.
+ * the pure motions. Numbers that a pass of laws/ computes come from that pass, run over tiles as in an assembly.
  *
- * A measure needs no overlap: any distance of the centres above 0 will do.
+ * A measure needs no overlap: any distance of the centres above 0 is enough.
  *
  * A wall is body 1 with R1 = INFINITY: the plane through x1 (the foot of the perpendicular from the disk) with its
- * normal towards x2. It may move (v1, of its material at x1) and turn (w1). All is then as the wall sees it, but for
- * beta_dot, which is the spin of its normal, w1; lambda_dot, alpha1_dot and alpha2_dot are the limits for R1 -> inf:
- * 0, 0 and w2 - w1. */
+ * normal towards x2. It may move (v1, of its material at x1) and turn (w1). All numbers are then as seen from the wall,
+ * except beta_dot, which is the spin of its normal, w1; lambda_dot, alpha1_dot and alpha2_dot are the limits for R1 ->
+ * inf: 0, 0 and w2 - w1. */
 #ifndef TR_STUDY_MEASURES_H
 #define TR_STUDY_MEASURES_H
 
@@ -45,10 +45,9 @@ typedef struct tr_measures_column {
 
 enum { TR_MOTION_COLUMNS = 12, TR_CASE_LABEL = 256 };
 extern const tr_measures_column tr_motion_columns[TR_MOTION_COLUMNS];
-int tr_measures_columns(void);                   /* how many: those of every definition are there */
+int tr_measures_columns(void);                   /* number of columns, with those of every definition */
 tr_measures_column tr_measures_column_of(int k); /* column k from 0 */
-double tr_measures_of_column(const tr_motion_measures *measures,
-                             const char *name); /* NAN: there is none of this name */
+double tr_measures_of_column(const tr_motion_measures *measures, const char *name); /* NAN: no such name */
 
 /* The sliding velocity by the row of tr_sliding_velocities of this name, which must be there. */
 double tr_measures_sliding_of(const tr_motion_measures *measures, const char *name);
@@ -73,7 +72,7 @@ typedef struct tr_card_motion {
     const char *name; /* "PR + RBR", "floor: rolling" */
     char label[48];   /* the row's `case` in CSV */
     tr_motion motion;
-    double Vr, Vs; /* what the definition of the motion says [m/s] */
+    double Vr, Vs; /* by the definition of the motion [m/s] */
 } tr_card_motion;
 
 enum { TR_CARD_MOTIONS = 42 }; /* of each two in a row: as a resting, and as a moving and turning observer sees it */

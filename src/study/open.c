@@ -15,7 +15,7 @@ void tr_run_remove_checkpoint(const char *dir, tr_run_report *report) {
                 strerror(errno));
 }
 
-/* Of all that the run reads. */
+/* For all files that the run reads. */
 static bool spare_inputs(const tr_scene *scene, const tr_run_options *o, tr_status *st) {
     return tr_made_spare(o->dir, o->case_file, st) && tr_made_spare(o->dir, o->sample, st) &&
            tr_made_spare(o->dir, scene->path_file, st);

@@ -7,12 +7,12 @@
 #include "core/world.h"
 #include "study/report.h"
 
-/* Empties the directory and writes the resolved case into it; or, with options->resume, opens the checkpoint that is
- * there: then c->loading, and nothing is touched. c NULL: this kind has none. */
+/* Empties the directory and writes the resolved case into it; or, with options->resume, opens the checkpoint: then
+ * c->loading, and nothing is changed. c NULL: this kind has no checkpoint. */
 bool tr_run_open(const tr_scene *scene, const tr_run_options *options, tr_checkpoint *c, tr_run_report *report,
                  tr_status *st);
 
-/* Of a finished run. A note in the report tells if it cannot be removed. */
+/* Removes the checkpoint of a finished run. A note in the report says if this fails. */
 void tr_run_remove_checkpoint(const char *dir, tr_run_report *report);
 
 /* Gives the world its threads. */

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A run of few steps cannot give more than one row (frame) a step, and one list of contacts a step after the start. */
+/* A run of few steps gives at most one row (frame) a step, and one list of contacts a step after the start. */
 static int rows_of(int asked, int64_t total) {
     return asked <= total ? asked : (int)total + 1;
 }

@@ -24,13 +24,13 @@ typedef struct tr_outputs {
     double seconds; /* spent in them; the caller adds it up */
 } tr_outputs;
 
-/* Files, film and recorder. To load: after they are opened to be resumed. */
+/* Files, film and recorder. To load: after they are opened for resuming. */
 void tr_outputs_checkpoint(tr_outputs *o, tr_checkpoint *c);
 
 typedef void tr_draw(tr_canvas *canvas, const tr_view *view);
 
-/* total: steps of the run. resume: the files go on. When they are too few for all that is asked, a note says how much
- * less there will be. */
+/* total: steps of the run. resume: the files continue. If the steps are too few for all outputs, a note says how many
+ * fewer there will be. */
 bool tr_outputs_open(tr_outputs *o, const tr_scene *scene, const tr_run_options *options, const char *film,
                      int64_t total, bool resume, tr_run_report *report, tr_status *st);
 /* What is due at step k of total: rows and frames are spread evenly from 0 to the end, lists of contacts end at the
@@ -44,8 +44,8 @@ bool tr_outputs_contacts(tr_outputs *o, int number, double time, double strain, 
                          tr_status *st);
 bool tr_outputs_frame(tr_outputs *o, tr_draw *draw, const tr_view *view, tr_status *st);
 
-/* Gives the files their names, whatever ended the run: their rows are whole. A file that could not be written is
- * removed. To the message of a failure it adds what was kept. Returns st->code == TR_OK. */
+/* Gives the files their names after any end of the run: their rows are complete. A file that could not be written is
+ * removed. It adds the list of kept files to the message of a failure. Returns st->code == TR_OK. */
 bool tr_outputs_close(tr_outputs *o, tr_status *st);
 
 #endif

@@ -17,8 +17,8 @@
 #include <time.h>
 #include <unistd.h>
 
-/* One more when a change of the program makes other packings of the same case. Those with friction have histories
- * since 2. */
+/* Increase it when a change of the program makes other packings of the same case. Since 2, packings with friction have
+ * histories. */
 static const char SMOOTH[] = "packing: 1", ROUGH[] = "packing: 2, with friction histories";
 
 char *tr_packing_text(const tr_scene *scene, tr_status *st) {
@@ -51,7 +51,8 @@ static bool open_packing(tr_checkpoint *c, const tr_packing *p, tr_status *inste
     if (tr_checkpoint_open(c, p->dir, p->name, p->text, instead, st)) return true;
     size_t n = strlen(st->text);
     if (st->code == TR_FILE)
-        snprintf(st->text + n, sizeof st->text - n, "; remove it, or give another name, and the run makes its own packing");
+        snprintf(st->text + n, sizeof st->text - n,
+                 "; remove it, or give another name, and the run makes its own packing");
     return false;
 }
 
@@ -70,14 +71,14 @@ bool tr_packing_check(const tr_scene *scene, const char *path, tr_status *st) {
     return ok;
 }
 
-/* The file that is locked is still the one of that name: not one that was removed after a failure. */
+/* Whether the locked file still has this name, and was not removed after a failure. */
 static bool is_part(const tr_packing *p) {
     struct stat ours, there;
     return !fstat(p->lock, &ours) && !stat(p->part, &there) && ours.st_ino == there.st_ino &&
            ours.st_dev == there.st_dev;
 }
 
-/* Who holds the lock on the part makes the packing. The lock ends with the process, whatever ended it. */
+/* The process with the lock on the part makes the packing. The lock ends with the process in any case. */
 static bool wait_for_part(tr_packing *p, const char *path, const tr_run_options *options, tr_status *st) {
     p->lock = open(p->part, O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
     if (p->lock < 0) return tr_status_fail(st, TR_FILE, "error: cannot write %s: %s", p->part, strerror(errno));
@@ -87,7 +88,8 @@ static bool wait_for_part(tr_packing *p, const char *path, const tr_run_options 
     }
     while (flock(p->lock, LOCK_EX | LOCK_NB) && errno == EWOULDBLOCK) {
         if (options->stop && *options->stop)
-            return close(p->lock), p->lock = -1, tr_status_fail(st, TR_INTERRUPTED, "stopped while another run makes %s", path);
+            return close(p->lock), p->lock = -1,
+                                   tr_status_fail(st, TR_INTERRUPTED, "stopped while another run makes %s", path);
         nanosleep(&(struct timespec){.tv_nsec = 5000000}, NULL);
     }
     if (is_part(p) || !access(path, F_OK)) return true;
@@ -109,7 +111,7 @@ bool tr_packing_load(tr_packing *p, tr_biaxial *b, const tr_run_options *options
     if (!(p->text = tr_packing_text(b->scene, st)) || !name_file(p, path, st)) return false;
     if (access(path, F_OK) && !wait_for_part(p, path, options, st)) return false;
     if (access(path, F_OK)) return true; /* for this run to make */
-    if (p->lock >= 0) unlink(p->part);   /* the run that was waited for has renamed its own */
+    if (p->lock >= 0) unlink(p->part);   /* the other run has renamed its part */
     tr_status instead = {0};
     if (!open_packing(&c, p, &instead, st)) return false;
     keep(b, unbalanced, &c);
@@ -125,7 +127,7 @@ bool tr_packing_save(tr_packing *p, tr_biaxial *b, double *unbalanced, tr_status
 }
 
 void tr_packing_close(tr_packing *p) {
-    if (p->lock >= 0 && is_part(p)) unlink(p->part); /* it has not come to its name */
+    if (p->lock >= 0 && is_part(p)) unlink(p->part); /* it was not renamed */
     if (p->lock >= 0) close(p->lock);
     free(p->text), free(p->dir), free(p->name), free(p->part);
     *p = (tr_packing){.lock = -1};

@@ -11,8 +11,8 @@ enum { SLIDE, ROLL, FORCE, TIME, LAW, COLUMNS };
 typedef struct path {
     tr_scene *scene;
     int capacity;
-    bool timed;                           /* there is a column of times */
-    double law;                           /* the rows of this one count: that of the first row */
+    bool timed;                           /* the file has a column of times */
+    double law;                           /* only the rows with this law count: that of the first row */
     double now[COLUMNS], before[COLUMNS]; /* this row, the row before */
 } path;
 

@@ -31,7 +31,7 @@ void tr_picture_widen(tr_view_box *v, const tr_play *p) {
     v->range = fmax(v->range, tr_frame_range_bodies(world, p->records, p->n_records));
 }
 
-/* Where a closed form gives a time, the curves have a mark. */
+/* If a closed form gives a time, the curves have a mark. */
 static double mark_of(const tr_scene *scene) {
     for (int k = 0; k < scene->n_checks; k++) {
         const tr_what_row *what = &tr_whats[scene->checks[k].what];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* From scenes that play side by side to the picture that draw/ makes of them: one box, one range of speeds and of curves for
- * the whole film, so that the picture stands still while the bodies move. */
+/* From scenes that play side by side to the picture that draw/ makes of them: one box, one range of speeds and of
+ * curves for the whole film, so that only the bodies move in the picture. */
 #ifndef TR_PICTURE_H
 #define TR_PICTURE_H
 
@@ -9,10 +9,10 @@
 
 
 typedef struct tr_cast {
-    const tr_scene *scene; /* the first; its lesson and output are those of all */
+    const tr_scene *scene; /* the first; its lesson and output apply to all */
     const char *title;     /* where the lesson has none */
     tr_play *play[TR_MAX_LANES];
-    int n, leader; /* scenes; the one with the most steps, which gives the time */
+    int n, leader; /* scenes; the scene with the most steps gives the time */
 } tr_cast;
 
 /* Found by a run without outputs: box in the turned plane [m], speeds [m/s], values of the curves. */
@@ -22,13 +22,13 @@ typedef struct tr_view_box {
 
 tr_view_box tr_picture_empty(void);
 
-/* Holds what plays now, too. Call it where there will be a frame. */
+/* Makes room for the present state, too. Call it for each frame. */
 void tr_picture_widen(tr_view_box *view, const tr_play *play);
 
-/* At the end: curves, and room for what lies around the disks (hatching of a floor, arcs along it). */
+/* At the end: curves, and room around the disks (hatching of a floor, arcs along it). */
 void tr_picture_settle(tr_view_box *view, const tr_cast *cast);
 
-/* A frame of the film; with results the still, which has its sentence and the numbers of its checks. */
+/* A frame of the film. With results it is the still, with its sentence and the numbers of its checks. */
 void tr_picture_draw(tr_canvas *canvas, const tr_cast *cast, const tr_view_box *view, const tr_check_result *result,
                      int n_results);
 

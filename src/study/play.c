@@ -47,7 +47,7 @@ bool tr_play_look(tr_play *p, tr_status *st) {
     return !st->code;
 }
 
-/* The contact points of the first few contacts that ever were; one that is open lifts the pen. */
+/* The contact points of the first few contacts; an open contact lifts the pen. */
 static void sample_trace(tr_play *p) {
     for (int t = 0; t < TR_PLAY_TRACES; t++) p->point[t][p->n][0] = p->point[t][p->n][1] = NAN;
     for (int i = 0; i < p->n_records; i++) {
@@ -121,7 +121,7 @@ double tr_play_tilt(const tr_play *p) {
     return g[0] != 0 || g[1] != 0 ? -tr_atan2(g[0], -g[1]) : 0;
 }
 
-/* Of wall 0, downhill; NaN where there is none, or it is level for the whole film. */
+/* Of wall 0, downhill; NaN without a wall 0, or if it is level for the whole film. */
 static double slope_of(const tr_play *p) {
     double g[2];
     tr_bodies_gravity(&p->b, g);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* One scene of a few bodies as it runs, with all that looks at it: checks, recorded paths, and what its frames show of the
- * past (the way of the contact points, the curves) and of the inside of a contact. A case may have several scenes: each
- * plays by itself, with its own step, and the film shows them side by side. */
+/* One running scene of a few bodies, with its observers: checks, recorded paths, the past that frames show (the path of
+ * the contact points, the curves), and the inside of a contact. A case may have several scenes: each runs with its own
+ * step, and the film shows them side by side. */
 #ifndef TR_PLAY_H
 #define TR_PLAY_H
 
@@ -19,15 +19,16 @@ typedef struct tr_play {
     tr_checks checks;
     tr_recorder recorder;
     tr_inset inset;
-    int64_t at;         /* steps taken; -1: not even the forces of time 0 */
+    int64_t at;         /* steps taken; -1: the forces of time 0 are still missing */
     tr_record *records; /* of the last tr_play_look */
     int n_records, capacity;
     int samples, n; /* of the past: asked, taken */
     double time[TR_PLAY_SAMPLES], value[2][TR_PLAY_SAMPLES];
-    double creepage; /* end of its axis: half as much again as while it sticks somewhere; beyond it has no meaning */
+    double creepage; /* end of its axis: 1.5 times its largest value while the contact sticks somewhere; beyond,
+                      * creepage has no meaning */
     tr_scene_pick traced[TR_PLAY_TRACES];
     double point[TR_PLAY_TRACES][TR_PLAY_SAMPLES][2];
-    double trace[TR_PLAY_TRACES * (TR_PLAY_SAMPLES + 1) * 2]; /* the points one behind the other, as frames want them */
+    double trace[TR_PLAY_TRACES * (TR_PLAY_SAMPLES + 1) * 2]; /* the points in a row, for the frames */
     tr_expect expect[TR_PLAY_TRACES];
     int n_expect;
 } tr_play;
@@ -36,7 +37,7 @@ typedef struct tr_play {
 bool tr_play_open(tr_play *p, const tr_scene *scene, int curve, tr_status *st);
 void tr_play_close(tr_play *p);
 
-/* Runs on to the forces of that step. */
+/* Runs to the forces of that step. */
 bool tr_play_to(tr_play *p, int64_t step, tr_status *st);
 
 /* Fills in records. */
@@ -47,7 +48,7 @@ double tr_play_time(const tr_play *p);
 /* The angle by which a picture is turned so that gravity points down; 0 without gravity [rad]. */
 double tr_play_tilt(const tr_play *p);
 
-/* After tr_play_look: what a frame shows, but its box. */
+/* After tr_play_look: the contents of a frame, except its box. */
 tr_show_lane tr_play_lane(tr_play *p);
 
 #endif

@@ -105,7 +105,7 @@ static bool is_far(const struct tr_recorded *c, const double now[CHANNELS]) {
 static bool look(const tr_recorder *r, struct tr_recorded *c, tr_path_point point, tr_status *st) {
     const double now[CHANNELS] = {point.u_slide, point.u_roll, point.P, point.Q};
     bool first = r->steps == 1, turns = (now[P] > 0) != (c->before[P] > 0);
-    bool leaves = turns || is_far(c, now) || is_far(c, c->before); /* the latter: a jump in the step behind a row */
+    bool leaves = turns || is_far(c, now) || is_far(c, c->before); /* the latter: a jump in the step after a row */
     for (int i = 0; i < CHANNELS; i++) c->low[i] = fmin(c->low[i], now[i]), c->high[i] = fmax(c->high[i], now[i]);
     c->touched |= now[P] > 0;
     if (leaves && !first && c->row_step < r->steps - 1 && !write_point(r, c, r->steps - 1, c->before, st)) return false;
@@ -113,7 +113,7 @@ static bool look(const tr_recorder *r, struct tr_recorded *c, tr_path_point poin
     return !(first || turns) || write_point(r, c, r->steps, now, st);
 }
 
-/* One instant of paths.csv. Nine digits: the sums of a whole life are then good to 1e-9 of its largest part. */
+/* One instant of paths.csv. Nine digits: the sums of a whole life are then good to 1e-9 of the largest part. */
 static bool write_all(tr_recorder *r, tr_status *st) {
     FILE *out = r->all.stream;
     const char *force = r->shape == TR_SHAPE_SPHERE ? "N" : "N_per_m";

@@ -1,30 +1,29 @@
 /* SPDX-License-Identifier: MIT */
 /* paths/NAME.csv for each contact of output.paths: its path (study/path.h) and, as a further column, its friction Q.
  *
- * A row per step would be far too many. Of u_slide, u_roll, P and Q each step is compared with the last row: where one
- * of them has moved by more than 1/500 of the range that it has had so far, 0 among it, the step before is written. So
- * all steps between two rows, and the straight line between them, are within 1/500 of the range of a row, and the line
- * is within 2/500 of the path. The first and the last step are rows, and both steps where the contact opens or closes;
- * two rows that differ by more are neighbouring steps.
+ * A row per step would be far too many. Of u_slide, u_roll, P and Q each step is compared with the last row: if one of
+ * them has moved by more than 1/500 of its range so far (which includes 0), the step before is written. So all steps
+ * between two rows, and the straight line between them, are within 1/500 of the range of a row, and the line is within
+ * 2/500 of the path. The first and the last step are rows, and both steps where the contact opens or closes; two rows
+ * that differ by more are neighbouring steps.
  *
- * Q is among them so that a law can be replayed: sliding over millimetres leaves the range of u_slide blind to the
- * micrometres of a spring that turns back, and Q is not. In a replay a stretch between two rows is straight. Where
- * coulomb-spring sticks it adds no error; where it slips it forgets that of before, and Q and mu P have moved by their
- * tolerance at most: |Q - recorded| <= 2/500 (range of Q + mu max P), which does not grow with the number of rows. A
- * row may roll by many widths of the contact, so a replay cuts it (study/contact.h). What is left out is how the path
- * bent within a row, by no more than 2/500 of the range of each. Where a row rolls far, that may be much of the sliding
- * in it; but Q of the run's law is nearly constant there, so only a law with another memory of the way can tell the
- * difference.
+ * Q is compared too, so that a law can be replayed: after sliding over millimetres, the tolerance of u_slide does not
+ * see the micrometres of a spring that turns back, but Q does. In a replay a stretch between two rows is straight.
+ * Where coulomb-spring sticks, it adds no error. Where it slips, it forgets earlier errors, and Q and mu P have moved
+ * at most by their tolerance: |Q - recorded| <= 2/500 (range of Q + mu max P), which does not grow with the number of
+ * rows. A row may roll by many widths of the contact, so a replay cuts it (study/contact.h). The bend of the path
+ * within a row is lost, at most 2/500 of the range of each. If a row rolls far, this may be much of its sliding. But Q
+ * of the run's law is nearly constant there, so only a law with another memory notices the difference.
  *
- * time_s counts from a step before the first row: a row is the end of a step, in the first of which nothing moves.
+ * time_s counts from a step before the first row: a row is the end of a step, and nothing moves in the first step.
  *
  * paths.csv, with output.path_rows: N: ALL contacts of disks and of walls (a = -1-w) at N instants evenly spread from
  * start to end, in the order of time; du_slide and du_roll are sums over the steps since the row before of this
- * contact, or since it touched. The sums make the end points of the path exact; the way between two rows is not kept.
- * P, Q and the whole normal force f_n are those of the instant; P is what the friction law goes by (core/paths.h). A
- * contact that opens and touches again is another life, with a number of its own; one that lives between two instants
- * has a number but no row, and a note counts them. What a contact does after its last row is not there. branch: from
- * the centre of a (of a wall: from the contact) to that of b, so that sum (f_n n - Q t)_i branch_j is area times
+ * contact, or since it touched. The sums make the end points of the path exact; the path between two rows is not kept.
+ * P, Q and the whole normal force f_n are those of the instant; P is the force that the friction law uses
+ * (core/paths.h). A contact that opens and touches again is another life with its own number. A life between two
+ * instants has a number but no row, and a note counts them. Motion after the last row of a contact is not kept. branch:
+ * from the centre of a (of a wall: from the contact) to that of b, so that sum (f_n n - Q t)_i branch_j is area times
  * stress. */
 #ifndef TR_RECORDER_H
 #define TR_RECORDER_H
@@ -55,20 +54,20 @@ typedef struct tr_recorder {
     } item[TR_MAX_PICKS];
 } tr_recorder;
 
-/* total: steps of the run, for path_rows. most: what most-mobilised stands for; a == b: there is none. prefix: of the
+/* total: steps of the run, for path_rows. most: the contact of most-mobilised; a == b: none. prefix: of the
  * names of the files. The recorder must not move until it is closed. */
 bool tr_recorder_open(tr_recorder *r, const tr_scene *scene, tr_scene_pick most, tr_world *world, const char *dir,
                       const char *prefix, int64_t total, bool resume, tr_run_report *report, tr_status *st);
-/* After it, where resume says that the files are to go on. */
+/* After it; resume: the files continue. */
 void tr_recorder_checkpoint(tr_recorder *r, tr_checkpoint *c);
 bool tr_recorder_step(tr_recorder *r, tr_status *st);  /* after every tr_step_forces */
-void tr_recorder_close(tr_recorder *r, tr_status *st); /* whatever ended the run: rows are whole */
+void tr_recorder_close(tr_recorder *r, tr_status *st); /* after any end of the run: rows are complete */
 
-/* Where contact k of paths.picks has got to. */
+/* The present state of contact k of paths.picks. */
 tr_path_point tr_recorder_now(const tr_recorder *r, int k);
 
-/* The scene asks for the most mobilised contact. It is known only at the end, so a first run, the same bit for bit,
- * has to find it. Of several with the same mobilisation it is the first of contacts.csv. */
+/* The scene asks for the most mobilised contact. It is known only at the end, so a first run with the same bits finds
+ * it. Among equals it is the first in contacts.csv. */
 bool tr_recorder_wants_most(const tr_scene *scene);
 tr_scene_pick tr_recorder_most(tr_world *world, tr_status *st);
 

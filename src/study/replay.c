@@ -24,7 +24,7 @@ static double value_of(const tr_scene_contact *c, const char *key) {
     return friction ? *friction : normal ? *normal : 0;
 }
 
-/* That of a contact of two mean disks under the mean force, which all contacts have, as in a run. */
+/* That of a contact of two mean disks under the mean force. All contacts have it, as in a run. */
 static double stiffness(const tr_replay *r) {
     double P = 0, R = 0, n = 0;
     for (int i = 0; i < r->n_rows; i++) {
@@ -159,13 +159,13 @@ static void replay(tr_replay *r, tr_replay_life *life, const tr_replay_options *
     free(s.path);
 }
 
-/* ---- all lives: whoever is free takes the next; each writes only what is that of its life */
+/* ---- all lives: a free thread takes the next one and writes only the data of that life */
 
 typedef struct crew {
     tr_replay *r;
     const tr_replay_options *o;
     atomic_int next, rows, failed; /* rows: behind us */
-    atomic_bool starved;           /* of memory: no contact is left out for that */
+    atomic_bool starved;           /* of memory: that is no reason to leave a contact out */
 } crew;
 
 static void *work(void *context) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a replay reads and finds; see replay.h. */
+/* Input and results of a replay; see replay.h. */
 #ifndef TR_REPLAY_DATA_H
 #define TR_REPLAY_DATA_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* case.yaml, history.csv and paths.csv of a run. What does not fit together is refused with its line. */
+/* case.yaml, history.csv and paths.csv of a run. Rows that do not fit together are refused with their line. */
 #include "study/replay_read.h"
 #include "base/math.h"
 
@@ -33,7 +33,7 @@ static bool cell(void *context, tr_csv *csv, int column, const char *text, size_
     return tr_csv_number(csv, columns[column], text, false, &in->now[column]);
 }
 
-/* What a row may hold, whatever stands in the others. */
+/* The checks of one row by itself. */
 static bool check_row(const tr_replay *r, const double *v, tr_csv *csv) {
     const int disks = r->scene.sample.disks, walls = r->scene.boundary == TR_PERIODIC ? 0 : 4;
     const long line = csv->row_line;
@@ -59,7 +59,7 @@ static bool is_after(double a, double b, const tr_replay_row *p) {
     return b > p->b;
 }
 
-/* Instants in the order of time, contacts of one in the order of the run. */
+/* Instants in the order of time; contacts of an instant in the order of the run. */
 static bool check_order(const tr_replay *r, const double *v, tr_csv *csv) {
     if (v[TIME] < 0) return tr_csv_fail(csv, csv->row_line, "time_s is %g: it must start at 0", v[TIME]);
     if (!r->n_rows) return true;
@@ -107,7 +107,7 @@ static bool row(void *context, tr_csv *csv) {
     return true;
 }
 
-/* Cells of the row that is read, and the last two rows. */
+/* Cells of the present row, and the last two rows. */
 typedef struct course {
     double cell[2], row[2][2];
 } course;
@@ -125,7 +125,7 @@ static bool strain_row(void *context, tr_csv *csv) {
     return true;
 }
 
-/* A run that was stopped did not come to its end, but to its full speed. */
+/* A stopped run did not reach its end, but it reached its full speed. */
 static bool read_rate(tr_replay *r, const char *run, tr_status *st) {
     static const char *const names[] = {"strain", "time_s"};
     const tr_csv_format format = {names, 2, 2, "strain,...,time_s,...", NULL, strain_cell, strain_row};
@@ -144,7 +144,7 @@ static int by_life(const void *a, const void *b) {
     return p->life != q->life ? (p->life > q->life) - (p->life < q->life) : p->instant - q->instant;
 }
 
-/* A life is of one contact, and is there at every instant until it ends. */
+/* A life belongs to one contact, and has a row at every instant until it ends. */
 static bool check_lives(const tr_replay *r, const char *path, tr_status *st) {
     for (int i = 1; i < r->n_rows; i++) {
         const tr_replay_row *p = &r->row[i - 1], *q = p + 1;
@@ -179,7 +179,7 @@ static bool split(tr_replay *r, const char *path, tr_status *st) {
     return true;
 }
 
-/* summary.json is what a run writes last. */
+/* A run writes summary.json last. */
 static bool check_finished(const char *run, tr_status *st) {
     char path[TR_PATH];
     if (!tr_dir_path(path, run, "summary.json", st)) return false;
@@ -190,7 +190,7 @@ static bool check_finished(const char *run, tr_status *st) {
                           run);
 }
 
-/* A file that was cut where a line ends looks whole. */
+/* A file that was cut at the end of a line looks complete. */
 static bool check_whole(const tr_replay *r, const char *run, const char *path, long last_line, tr_status *st) {
     char summary[TR_PATH];
     struct stat now;
@@ -218,7 +218,7 @@ bool tr_replay_read(tr_replay *r, const char *run, tr_status *st) {
     if (r->scene.kind != TR_KIND_BIAXIAL || r->scene.shape != TR_SHAPE_DISK || !r->scene.output.path_rows)
         return tr_status_fail(st, TR_BAD_CASE,
                               "%.480s:1: error: replay needs disks, kind: biaxial, and output.path_rows", path);
-    if (r->scene.compaction.mu > 0) /* what a contact brings with it is not in its path */
+    if (r->scene.compaction.mu > 0) /* the friction at the start is not in the path */
         return tr_status_fail(st, TR_BAD_CASE,
                               "%.480s:1: error: replay needs contacts that start without friction: a run "
                               "with compaction.mu: 0, not %g",

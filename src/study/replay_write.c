@@ -76,7 +76,7 @@ static bool write_lives(const tr_replay *r, const char *dir, tr_status *st) {
 
 /* ---- replay-errors.csv */
 
-/* What errors are sorted by, and the ends of the classes, each with its upper end. */
+/* The quantity that errors are sorted by, and the ends of the classes, each with its upper end. */
 static const struct classes {
     const char *name;
     int n;
@@ -187,7 +187,7 @@ static void add_contact(const tr_replay *r, int i, stress *s) {
     }
 }
 
-/* NaN where nothing presses. */
+/* NaN without normal forces. */
 static double sin_phi(const stress *s, int k) {
     double xx = s->normal[0] + s->friction[k][0], yy = s->normal[1] + s->friction[k][1];
     return (yy - xx) / (yy + xx);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a run is asked for beside its scene, and what it tells of itself. */
+/* Options of a run, and its report. */
 #ifndef TR_REPORT_H
 #define TR_REPORT_H
 
@@ -11,32 +11,33 @@ typedef struct tr_run_report tr_run_report;
 
 typedef struct tr_run_options {
     const char *dir;       /* where results go */
-    const char *case_file; /* where the scene was read: the run refuses to write over it; may be NULL */
+    const char *case_file; /* file of the scene: the run refuses to write over it; may be NULL */
     const char *title;     /* of the film of a bodies scene */
     bool force;            /* replace a finished run */
-    bool resume;           /* go on from the checkpoint, if there is one; a finished run is left as it is */
+    bool resume;           /* continue from the checkpoint, if there is one; a finished run stays as it is */
     double checkpoint;     /* seconds between two; kind: biaxial */
-    const char *sample;    /* kind: biaxial: file of the packing to start from, made if it is not there; may be NULL */
-    int threads;           /* that share the work of a large sample; 0: one */
-    bool share_few;        /* threads share the work of few disks too: slower, so it is for tests */
+    const char *sample;    /* kind: biaxial: file of the packing to start from; made if it does not exist; may be
+                            * NULL */
+    int threads;           /* number of threads for a large sample; 0: one */
+    bool share_few;        /* use threads also for few disks: slower, so only for tests */
     const volatile sig_atomic_t *stop;                                   /* set it to stop cleanly */
     void (*progress)(void *context, const char *stage, double fraction); /* called often; may be NULL */
     void *context;
     void (*foretold)(const tr_run_report *report); /* once, before the run: report->n_warnings; may be NULL */
 } tr_run_options;
 
-/* The short table of results, and what was not made or may not be meant. */
+/* The short table of results, and notes about missing outputs and likely mistakes. */
 struct tr_run_report {
     int n_lines, n_notes;
     struct tr_report_line {
         char label[40], value[200];
     } line[24 + TR_MAX_LANES * 32];       /* 32: checks of a scene */
-    int failed;                           /* checks; the run is complete all the same */
+    int failed;                           /* checks; the run is complete */
     int n_warnings;                       /* the first of the notes: known before the run */
     char note[8 + 3 * TR_MAX_LANES][400]; /* 3: warnings of a scene */
 };
 
-/* A line, a note: as printf. */
+/* A line or a note, like printf. */
 void tr_run_say(tr_run_report *report, const char *label, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 void tr_run_note(tr_run_report *report, const char *format, ...) __attribute__((format(printf, 2, 3)));

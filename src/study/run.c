@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-/* A run that is to go on has reached its end already. One of another case is refused. */
+/* The run to resume is already finished. One of another case is refused. */
 static bool finished(const tr_scene *scene, const tr_run_options *options, tr_status *st) {
     char path[TR_PATH];
     char version[TR_SUMMARY_VERSION];
@@ -35,7 +35,7 @@ static bool run(const tr_scene *scene, const tr_run_options *options, tr_run_rep
         char path[TR_PATH];
         bool ours;
         if (!tr_made_listed(options->dir, TR_CHECKPOINT, &ours, st)) return false;
-        if (ours) tr_run_remove_checkpoint(options->dir, report); /* if it was killed right before that */
+        if (ours) tr_run_remove_checkpoint(options->dir, report); /* if the run was killed right before */
         tr_run_note(report, "nothing to resume: this run is finished");
         return tr_dir_path(path, options->dir, "summary.json", st) && tr_summary_failed(path, &report->failed, st);
     }

@@ -32,16 +32,16 @@ typedef struct test {
     tr_outputs out;
     tr_series series;
     tr_file disks;
-    double *fill; /* of each disk: what colours it in frames, or a column of disks.csv */
+    double *fill; /* of each disk: its colour value in frames, or a column of disks.csv */
     int *ends;    /* and how many contacts it has */
     tr_increments increments;
     tr_inset inset; /* of the frames: the inside of the first contact whose path is recorded */
-    tr_view view;   /* what stays the same in every frame */
+    tr_view view;   /* equal in all frames */
     char title[TR_RUN_TITLE];
     bool rehearsal; /* a run without outputs, which finds: */
     tr_scene_pick most;
     bool shearing;        /* compaction is over */
-    tr_checkpoint resume; /* loading: where to go on; used up when the run is there */
+    tr_checkpoint resume; /* loading: the place to continue; used when the run gets there */
     double saved;         /* when the last checkpoint was made [s] */
     double e0, unbalanced, stress_1_sum, stress_2_sum;
     int stress_n;
@@ -55,7 +55,7 @@ static bool is_contact(tr_scene_pick pick, const tr_scene *scene) {
     return pick.a >= -4 && pick.a < n && pick.b >= 0 && pick.b < n; /* -1 - wall, of four */
 }
 
-/* What tells how to build the test before the rest can be loaded. */
+/* The fields that are needed to build the test before the rest can be loaded. */
 static void keep_stage(test *t, tr_checkpoint *c) {
     TR_KEEP(c, &t->rehearsal, 1);
     TR_KEEP(c, &t->most, 1);
@@ -111,7 +111,7 @@ static bool save_if_due(test *t, tr_status *st) {
     return tr_run_clock() - t->saved < t->options->checkpoint || save(t, st);
 }
 
-/* The test is built as far as t->shearing says. Nothing, where there is no checkpoint. */
+/* Builds the test up to the state of t->shearing. Does nothing without a checkpoint. */
 static bool resume(test *t) {
     if (!t->resume.loading) return true;
     keep_rest(t, &t->resume);
@@ -135,7 +135,7 @@ static bool compact(test *t, tr_status *st) {
     return true;
 }
 
-/* Or takes the packing from a file. One whose compaction was under way is gone on with. */
+/* Or takes the packing from a file. An interrupted compaction resumes. */
 static bool pack(test *t, bool begun, tr_status *st) {
     tr_packing p;
     bool there = false;
@@ -146,7 +146,7 @@ static bool pack(test *t, bool begun, tr_status *st) {
     return ok;
 }
 
-/* Value of a law's parameter; 0 where the law has none of that name. */
+/* Value of a law's parameter; 0 if the law has no such parameter. */
 static double law_value(const tr_slot *slot, const char *key) {
     const double *value = tr_law_value(slot->law, slot->par, key);
     return value ? *value : 0;
@@ -160,7 +160,8 @@ tr_view tr_run_biaxial_view(const tr_biaxial *b, char title[TR_RUN_TITLE]) {
     tr_color color = (tr_color)b->scene->output.color;
     double width = box.width, centre = 0.5 * (w[TR_RIGHT_WALL].x + w[TR_LEFT_WALL].x);
     double bottom = b->world.n_walls ? w[TR_BOTTOM_WALL].y : -0.5 * box.height;
-    double spread = 0.5 * width * 1.1 / (1 - b->scene->shear.strain_end); /* volume kept, and a tenth of dilation */
+    double spread = 0.5 * width * 1.1 / (1 - b->scene->shear.strain_end); /* constant volume, plus a tenth for
+                                                                           * dilation */
     double arrows = 0.08 * width;                                         /* room for those of the driven walls */
     double d = sample->r_min + sample->r_max, speed = 4 * b->rate * d;
     tr_record typical = {.v_s = speed, .v_r = speed};
@@ -232,7 +233,7 @@ static bool write_lists(test *t, int n, tr_status *st) {
         tr_row_sample(&row, t->state.time, t->state.strain, &t->b.world, i, t->fill[i], t->ends[i]);
         if (!tr_row_write(&row, &t->disks, st)) return false;
     }
-    t->out.instants++; /* only now: a file without one whole instant gets no name */
+    t->out.instants++; /* only now: a file without a complete instant gets no name */
     return true;
 }
 
@@ -262,7 +263,7 @@ static bool open_inset(test *t, tr_status *st) {
     return true;
 }
 
-/* A test goes on without its inset. */
+/* A test continues without its inset. */
 static void step_inset(test *t) {
     tr_status why = {0};
     if (!t->inset.solver || tr_inset_step(&t->inset, tr_recorder_now(&t->out.recorder, 0), &why)) return;
@@ -289,7 +290,7 @@ static bool shear(test *t, tr_status *st) {
     }
 }
 
-/* Up to where the shear begins, or goes on. */
+/* Up to the point where the shear begins or continues. */
 static bool prepare(test *t, tr_status *st) {
     bool compacted = t->shearing;
     tr_run_report *report = t->report;
@@ -317,7 +318,7 @@ static bool prepare(test *t, tr_status *st) {
     return ok && resume(t);
 }
 
-/* Which contact is the most mobilised at the end: the same run, bit for bit, without outputs. */
+/* Finds the most mobilised contact at the end: the same run with the same bits, without outputs. */
 static bool rehearse(test *t, tr_status *st) {
     t->rehearsal = true;
     bool ok = prepare(t, st) && shear(t, st);
@@ -335,7 +336,7 @@ static bool close_outputs(test *t, tr_status *st) {
     return tr_outputs_close(&t->out, st);
 }
 
-/* Why a law can make energy. A law that claims to make none does so by the time step alone. */
+/* Why a law can make energy. If a law claims to make none, only the time step makes it. */
 static const char *why_made(const tr_law *law, int rolling_velocity) {
     if (law->needs & TR_NEEDS_V_R && !(law->needs & TR_NEEDS_PARTIALS) && rolling_velocity != 0)
         return "its moments do not fit the rolling_velocity";
@@ -357,8 +358,8 @@ static void report_made(test *t) {
     }
 }
 
-/* "0.515 +- 0.05 (...), 3.7 s; +- 0.02 takes 7 seeds, 26 s"; about: where in the test. A resumed run does not know how
- * long the whole test took. */
+/* "0.515 +- 0.05 (...), 3.7 s; +- 0.02 takes 7 seeds, 26 s"; about: the place in the test. A resumed run does not know
+ * the time of the whole test. */
 static void say_strength(const test *t, const char *label, double sin_phi, const char *about, const tr_accuracy *a,
                          int i, double wall_s) {
     const tr_strength_accuracy *one = &a->strength[i];

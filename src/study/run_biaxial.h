@@ -9,10 +9,10 @@
 
 bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st);
 
-/* What tr_run_check finds: NULL, or else the summary to come. */
+/* For tr_run_check. Returns the later summary, or NULL after an error. */
 char *tr_run_check_biaxial(const tr_scene *scene, tr_run_report *report, tr_status *st);
 
-/* What stays the same in every frame of a biaxial test: one scale and one box for the whole film. */
+/* Settings that are equal in all frames of a biaxial test: one scale and one box for the whole film. */
 enum { TR_RUN_TITLE = 96 };
 tr_view tr_run_biaxial_view(const tr_biaxial *b, char title[TR_RUN_TITLE]);
 

@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Scenes of a few bodies with their outputs, one or several side by side (documents of a case). They run twice: the first
- * run writes nothing and finds the part of the plane, the speeds and the curves that the film must hold, so that the
- * picture stands still while the bodies move, what the checks measure, for the still, and which contact is the most
- * mobilised at the end.
+/* Scenes of a few bodies with their outputs, one or several side by side (documents of a case). They run twice. The
+ * first run writes nothing. It finds the part of the plane, the speeds and the curves of the film, so that only the
+ * bodies move in the picture; the numbers of the checks, for the still; and the most mobilised contact at the end.
  *
- * Each scene has its own step. The one with the most steps gives the time; the others follow, so that at any instant they
- * are within a step of it. */
+ * Each scene has its own step. The scene with the most steps gives the time; the others follow within a step. */
 #include "study/run_bodies.h"
 
 #include "base/alloc.h"
@@ -27,7 +25,7 @@
 #include <string.h>
 
 typedef struct show {
-    const tr_scene *scene; /* the first; its outputs are those of all */
+    const tr_scene *scene; /* the first; its outputs apply to all */
     const tr_run_options *options;
     tr_run_report *report;
     tr_outputs out;
@@ -151,7 +149,7 @@ static void take_results(show *s) {
     }
 }
 
-/* The film's box, from a run without outputs. Where this one breaks down the run will, with what it has written. */
+/* The film's box, from a run without outputs. If this run breaks down, so will the next, which keeps its outputs. */
 static bool rehearse(show *s, tr_status *st) {
     s->rehearsal = true;
     s->out.scene = s->scene;
@@ -164,7 +162,7 @@ static bool rehearse(show *s, tr_status *st) {
     return ok;
 }
 
-/* What was found before the run: thresholds in `from`, and by a rehearsal the rest. */
+/* Results from before the run: thresholds in `from`, and the rest from a first pass. */
 static bool prepare(show *s, tr_status *st) {
     bool rehearsed = s->scene->output.frames || tr_recorder_wants_most(s->scene);
     if (!(rehearsed ? rehearse(s, st) : open_plays(s, st))) return false;

@@ -7,7 +7,7 @@
 
 bool tr_run_bodies(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st);
 
-/* What tr_run_check finds: NULL, or else the summary to come. */
+/* For tr_run_check. Returns the later summary, or NULL after an error. */
 char *tr_run_check_bodies(const tr_scene *scene, tr_run_report *report, tr_status *st);
 
 #endif

@@ -110,7 +110,7 @@ static bool draw(const tr_driven *d, tr_status *st) {
     return tr_film_frame(&s->film, st);
 }
 
-/* Items asked for, no more than there are steps. */
+/* The wanted items, but at most the number of steps. */
 static int most(int asked, int64_t total) {
     return asked <= total ? asked : (int)total;
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* When, of the steps of a run, rows and frames are due: spread evenly. */
+/* The steps of a run at which rows and frames are due: spread evenly. */
 #ifndef TR_SCHEDULE_H
 #define TR_SCHEDULE_H
 

@@ -17,8 +17,8 @@ typedef struct spread {
     double s[2]; /* of the peak and of the residual of sin phi */
 } spread;
 
-/* Measured by `make spread` (figures/spread/spread.sh), version 0.3.0; those of coulomb-spring with 0.2.0 too: the
- * same. */
+/* Measured by `make spread` (figures/spread/spread.sh), version 0.3.0; rows of coulomb-spring were also measured with
+ * 0.2.0: the same. */
 static const spread rows[] = {
     {100, 0, "coulomb-spring", 1e-3, 64, {0.03621, 0.05756}},
     {100, 0, "coulomb-spring", 3e-3, 64, {0.03981, 0.05040}},
@@ -54,13 +54,13 @@ static const struct {
     double change, error;
 } half_step[2] = {{32, 0.00089, 0.00093}, {32, -0.00043, 0.00386}};
 
-static const double NEAR = 1.1; /* nothing says how far the numbers hold beyond the case that was measured */
+static const double NEAR = 1.1; /* it is not known how far the numbers hold outside of the measured case */
 
 static bool is_near(double value, double measured) {
     return value == measured || (value >= measured / NEAR && value <= measured * NEAR);
 }
 
-/* A law of the shear: what the world has of them is those of the compaction at first. */
+/* A law of the shear: at first the world has the laws of the compaction. */
 typedef struct chosen {
     const tr_law *law;
     const double *par;
@@ -77,13 +77,13 @@ static void choose(const tr_scene *s, chosen slot[TR_N_SLOTS]) {
     slot[TR_ROLLING] = (chosen){tr_laws_rolling[s->contact.rolling.law], s->contact.rolling.par};
 }
 
-/* A key of the case, its value as a number, and what was measured. */
+/* A key of the case, its value as a number, and the measured value. */
 typedef struct item {
     const char *key;
     double value, measured;
 } item;
 
-/* The first key of the case that is not as in the measured one; NULL: there is none. */
+/* The first key that differs from the measured case; NULL: none. */
 static const item *elsewhere(const tr_biaxial *b, item *list) {
     const tr_scene *s = b->scene;
     chosen slot[TR_N_SLOTS];
@@ -122,8 +122,8 @@ static const item *elsewhere(const tr_biaxial *b, item *list) {
     return NULL;
 }
 
-/* The measured row of this law and mu_r that is nearest in log N and log I; NULL: the case is outside of what they
- * span. Strict in N: 100 disks are in, 99 are not. */
+/* The measured row of this law and mu_r that is nearest in log N and log I; NULL: the case is outside of their range.
+ * Strict in N: 100 disks are in, 99 are not. */
 static const spread *row_of(int disks, double mu_r, const char *friction, double I) {
     const spread *best = NULL;
     double nearest = INFINITY, low = INFINITY, high = 0;

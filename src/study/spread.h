@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* How far the strength of one sample may be from the mean of all samples of its kind: a table of measured spreads.
+/* The distance between the strength of one sample and the mean of all its kind: a table of measured spreads.
  *
  * s is the standard deviation of sin phi between n seeds. For a normal quantity (x - mean)/s of one more sample x has
  * Student's distribution of n - 1 degrees of freedom, so x +- t s covers the mean in 95 % of all cases, and the mean of
  * k samples +- t s/sqrt(k). figures/spread/rule.awk tests that on 200 fresh samples.
  *
  * Between the numbers of disks that were measured s goes as 1/sqrt(N), and I takes the row that is nearest in log I.
- * All else must be within 10 % of what was measured: else there is no number, and `not_examined` says why. */
+ * All other keys must be within 10 % of the measured case. Otherwise there is no number, and `not_examined` says
+ * why. */
 #ifndef TR_SPREAD_H
 #define TR_SPREAD_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The points of a grid: their values, names, cases, and what their directories hold. */
+/* The points of a grid: values, names, cases, and the state of their directories. */
 #include "study/sweep.h"
 
 #include "base/alloc.h"
@@ -77,8 +77,8 @@ void tr_grid_sets_free(const tr_grid *g, char **sets) {
     free(sets);
 }
 
-/* The message is "--set:1:COLUMN: error: WHAT\nTHE SET\n..." where a value is to blame, and then that value's place is known;
- * else the base case does not go with these values, which is told at the first of them. */
+/* The message is "--set:1:COLUMN: error: WHAT\nTHE SET\n..." if a value is wrong: then the place of the value is known.
+ * Otherwise the base case does not fit these values, and the message points to the first of them. */
 static bool blame(const tr_grid *g, int point, char *const *sets, const tr_status *inner, tr_status *st) {
     if (inner->code == TR_FILE) return tr_status_fail(st, inner->code, "%s", inner->text);
     char name[TR_POINT_NAME], first[sizeof inner->text];
@@ -144,7 +144,7 @@ bool tr_grid_state(const tr_grid *g, int point, const char *dir, tr_point_state 
     return !st->code;
 }
 
-/* What the summaries have, for the message about what they have not. */
+/* The names in the summaries, for the message about missing ones. */
 typedef struct names {
     const char *wanted;
     bool found;
@@ -182,7 +182,7 @@ static bool check_collected(const tr_grid *g, int point, const char *summary, tr
 bool tr_grid_check(const tr_grid *g, int point, tr_status *st) {
     tr_scene scene;
     tr_status inner = {0};
-    tr_run_report notes; /* each point has them in its log */
+    tr_run_report notes; /* they are in the log of each point */
     char *summary = NULL;
     if (!tr_grid_scene(g, point, &scene, st)) return false;
     if (tr_run_check(&scene, &notes, &summary, &inner)) {

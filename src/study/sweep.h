@@ -4,22 +4,22 @@
  * A sweep file is YAML with places (scene/tree.h):
  *
  *     kind: sweep
- *     base: biaxial.yaml            # counts from the folder of this file
+ *     base: biaxial.yaml            # relative to the folder of this file
  *     seeds: 1-8                    # or [1, 2, 5]
  *     vary: {contact.mu_r: [0, 0.2], shear.inertial_number: {from: 1e-4, to: 1e-2, points: 5, scale: log}}
  *     set: {output.frames: 0}       # the same for all points
  *     compare: {key: contact.mu_r, to: 0}                       # or a list of such
  *     collect: [sin_phi_peak]       # numbers of summary.json
  *
- * Every value stays the text that it is: a point is a list of --sets, and what they mean is for the reader of cases to say.
+ * Every value stays text: a point is a list of --sets, and the reader of cases interprets them.
  *
- * Points are numbered with the seed slowest, then the first key of `vary`: all points that can share a sample come one after
- * the other, and a sweep that is stopped half-way has whole comparisons of its first seeds.
+ * Points are numbered with the seed slowest, then the first key of `vary`: points that can share a sample follow each
+ * other, and a stopped sweep has complete comparisons of its first seeds.
  *
- * A point has a directory, called after its values, so that a value more in the file leaves the others where they are. It is
- * finished when it holds summary.json, which a run writes last, whole, of this version of the program, with the numbers that are
- * collected, and case.yaml is byte by byte what this point resolves to: there is no other record of what is done, so nothing can
- * get out of step with it. */
+ * A point has a directory, named after its values, so that a further value in the file does not move the others. A
+ * point is finished if its summary.json (which a run writes last) is complete, of this version of the program, and has
+ * the collected numbers, and if case.yaml has the bytes of its resolved case. There is no other record of finished
+ * points, so none can be out of date. */
 #ifndef TR_STUDY_SWEEP_H
 #define TR_STUDY_SWEEP_H
 
@@ -35,7 +35,7 @@ typedef struct tr_axis {
     int n;
 } tr_axis;
 
-/* All points less those of one value of an axis. */
+/* All points except those of one value of an axis. */
 typedef struct tr_compare {
     int axis, to;
 } tr_compare;
@@ -55,14 +55,14 @@ typedef struct tr_grid {
     int n_compare;
 } tr_grid;
 
-/* Which value of an axis a point has. */
+/* The value of an axis at a point. */
 int tr_grid_value(const tr_grid *g, int point, int axis);
 
 /* The combination with another value of one axis. */
 int tr_grid_with(const tr_grid *g, int combination, int axis, int value);
 
-/* "mu_r=0.2,rolling_velocity=wang,seed=3": the last part of each key, or as much as tells it apart. What a file name cannot
- * hold becomes `_`, and then a hash of the whole follows, as where it would be too long. */
+/* "mu_r=0.2,rolling_velocity=wang,seed=3": the last part of each key, or enough to be unique. Characters that are not
+ * allowed in a file name become `_`. Then, and if the name is too long, a hash of the whole follows. */
 enum { TR_POINT_NAME = 256 };
 void tr_grid_name(const tr_grid *g, int point, char name[TR_POINT_NAME]);
 
@@ -73,7 +73,7 @@ void tr_grid_sets_free(const tr_grid *g, char **sets);
 /* Reads the case of a point. A failure names the point, and the place of the value in the sweep file. */
 bool tr_grid_scene(const tr_grid *g, int point, tr_scene *scene, tr_status *st);
 
-/* BEGUN: this run, not to the end. What is between that and FINISHED is a run with a summary.json, and is done again: of
+/* BEGUN: this run, but not finished. The states between BEGUN and FINISHED have a summary.json and run again: of
  * another case; with a summary that cannot be read; of another version of the program; without a number to collect. */
 typedef enum tr_point_state {
     TR_POINT_MISSING,
@@ -85,11 +85,11 @@ typedef enum tr_point_state {
     TR_POINT_FINISHED
 } tr_point_state;
 
-/* What the directory of a point holds. Reads the case of the point. */
+/* The state of the directory of a point. Reads the case of the point. */
 bool tr_grid_state(const tr_grid *g, int point, const char *dir, tr_point_state *state, tr_status *st);
 
-/* Finds, before a run, what tr_run_check does, and that its summary.json will lack a number to collect. Of a point of the
- * first seed it says so for all seeds: another one changes only the sample. */
+/* Finds, before a run, the errors of tr_run_check and missing numbers to collect. A point of the first seed stands for
+ * all seeds, because a seed changes only the sample. */
 bool tr_grid_check(const tr_grid *g, int point, tr_status *st);
 
 #endif

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Statistics over the seeds, from summaries alone: the same bytes whatever the order in which the points ran.
+/* Statistics over the seeds, only from summaries: the same bytes for any order of the points.
  *
- * Differences are taken seed by seed and only then averaged: what one sample has by itself, which is most of the scatter, falls out.
- * Where points are missing a mean is over those that are there, and says over how many. */
+ * Differences are taken seed by seed and then averaged, so that the scatter between samples, which is most of it,
+ * cancels. If points are missing, a mean is over the finished ones, and says their number. */
 
 #include "study/sweep_collect.h"
 
@@ -16,7 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Number k of collect to value[k*points + point]; NaN where the point is not finished. */
+/* Number k of collect to value[k*points + point]; NaN if the point is not finished. */
 static bool read_point(const tr_grid *g, int point, const char *dir, double *value, bool *finished, tr_status *st) {
     char name[TR_POINT_NAME], path[TR_PATH], summary[TR_PATH];
     tr_point_state state;

@@ -6,9 +6,9 @@
 #include "study/sweep.h"
 
 /* Writes, from the summaries of all finished points, dir/points.csv: a row of each with its numbers; and
- * dir/collect.csv: for each combination and number the mean over the seeds, its standard error and 95 % interval, and
- * in rows of their own, with `minus` telling from what, the same of the differences by seed that `compare` asks for.
- * missing: points not finished. */
+ * dir/collect.csv: for each combination and number the mean over the seeds, its standard error and 95 % interval, and,
+ * in separate rows with the subtracted value in `minus`, the same for the differences by seed of `compare`. missing:
+ * points not finished. */
 bool tr_grid_collect(const tr_grid *g, const char *dir, int *missing, tr_status *st);
 
 #endif

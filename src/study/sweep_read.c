@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A sweep file to a grid: which keys, which texts. Whether a key exists and a text is a value of it, reading the base case with
- * them tells (sweep.c). */
+/* A sweep file to a grid: which keys, which texts. Reading the base case shows whether keys exist and values fit
+ * (sweep.c). */
 
 #include "study/sweep_read.h"
 #include "base/math.h"
@@ -40,7 +40,7 @@ static bool check_keys(const reader *r, const tr_node *mapping, const char *cons
     return true;
 }
 
-/* The text of a single value; NULL and an error if it is none. node may be NULL: missing. */
+/* The text of a single value; NULL and an error if it is not one. node may be NULL: missing. */
 static const char *text_of(const reader *r, const tr_node *node, const tr_node *in, const char *key, const char *doc) {
     if (node && node->type == TR_NODE_VALUE && *node->text) return node->text;
     if (node)
@@ -70,7 +70,7 @@ static int compare_texts(const void *a, const void *b) {
     return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
-/* Two points alike would be one directory. */
+/* Two equal points would have one directory. */
 static bool check_twice(const reader *r, const tr_axis *axis) {
     char **sorted = tr_alloc((size_t)axis->n, sizeof *sorted, r->st), *twice = NULL;
     if (!sorted) return false;
@@ -99,7 +99,7 @@ static bool number_of(const reader *r, const tr_node *node, const tr_node *in, c
                         key);
 }
 
-/* Values between the ends have six digits, for directories are called after them; the ends are as they are given. */
+/* Values between the ends have six digits, because directories are named after them; the ends stay as given. */
 static bool read_range(const reader *r, tr_axis *axis, const tr_node *node) {
     static const char *const keys[] = {"from", "to", "points", "scale", NULL};
     if (!check_keys(r, node, keys, "a range")) return false;
@@ -145,7 +145,7 @@ static bool read_values(const reader *r, tr_axis *axis, const tr_node *node) {
     return check_twice(r, axis);
 }
 
-/* "3" or, if a range may be, "1-8". */
+/* "3" or, if a range is allowed, "1-8". */
 static bool read_seed(const reader *r, const tr_node *node, bool range, unsigned long long *first,
                       unsigned long long *last) {
     const char *text = node->type == TR_NODE_VALUE ? node->text : "", *digits = "0123456789";

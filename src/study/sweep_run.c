@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Runs the points of a grid as child processes of this same program: a point that fails, or is killed for want of memory, takes
- * nothing else with it, and gives the same bytes as `trundle run` by hand, because it is that.
+/* Runs the points of a grid as child processes of this same program: a point that fails, or is killed because memory is
+ * short, does not affect the others. A point gives the same bytes as `trundle run` by hand.
  *
- * A run dies with the process that started it (PR_SET_PDEATHSIG), and has its directory for itself (tr_dir_lock): killed at any
- * moment and started again, no two runs meet in one directory. */
+ * A run dies with the process that started it (PR_SET_PDEATHSIG), and locks its directory (tr_dir_lock). So after a
+ * kill and a new start, two runs never work in one directory. */
 
 #include "study/sweep_run.h"
 
@@ -60,7 +60,7 @@ static void show(const runner *r, const char *stage, int done, int of) {
 
 /* In the child: only calls that are safe between fork and exec. */
 static void become(char *const *arguments, const char *log, pid_t parent) {
-    unlink(log); /* it may be a link, which is not written through */
+    unlink(log); /* it may be a link: results are not written through links */
     int file = open(log, O_WRONLY | O_CREAT | O_EXCL, 0666), null = open("/dev/null", O_RDWR);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() == parent && file >= 0 && dup2(null, 0) >= 0 && dup2(null, 1) >= 0 && dup2(file, 2) >= 0)
@@ -68,7 +68,7 @@ static void become(char *const *arguments, const char *log, pid_t parent) {
     raise(SIGKILL);
 }
 
-/* What a child is told: trundle run BASE --force|--resume -o PATH --sample FILE --set ... */
+/* The command of a child: trundle run BASE --force|--resume -o PATH --sample FILE --set ... */
 typedef struct order {
     char path[TR_PATH], log[TR_PATH], sample[TR_PATH];
     bool begun;
@@ -95,7 +95,7 @@ static void fail(runner *r, int point, tr_code code, const char *what) {
     say(r, point, "%s", what);
 }
 
-/* DIR/samples/HASH.bin: points that compact the same sample share it. "" for other kinds. */
+/* DIR/samples/HASH.bin: points with the same sample use one file. "" for other kinds. */
 static bool name_sample(const runner *r, int point, char sample[TR_PATH]) {
     char name[32], samples[TR_PATH];
     tr_scene scene;
@@ -111,7 +111,7 @@ static bool name_sample(const runner *r, int point, char sample[TR_PATH]) {
            tr_dir_path(sample, samples, name, r->st);
 }
 
-/* False: no further point can be started either. */
+/* False: no further point can be started. */
 static bool begin(runner *r, job *free_job, int point) {
     char name[TR_POINT_NAME], log[TR_POINT_NAME + 8];
     order what = {.begun = r->state[point - r->o->first] == TR_POINT_BEGUN};
@@ -130,7 +130,7 @@ static bool begin(runner *r, job *free_job, int point) {
     return true;
 }
 
-/* The message in the log of a run, which ends it. */
+/* The last message in the log of a run. */
 static void read_error(const char *dir, const char *name, int status, char *text, size_t size) {
     char path[TR_PATH];
     tr_status ignored = {0};
@@ -147,13 +147,13 @@ static void read_error(const char *dir, const char *name, int status, char *text
         snprintf(text, size, "error: exit code %d", WEXITSTATUS(status));
 }
 
-/* Of a run that did not finish. One that a signal has ended counts as one without memory: TR_FILE. */
+/* Of a run that did not finish. A run that ended by a signal counts as short of memory: TR_FILE. */
 static tr_code code_of(int status) {
     int code = WIFEXITED(status) ? WEXITSTATUS(status) : TR_FILE;
     return code == TR_BAD_CASE || code == TR_NUMERICAL ? (tr_code)code : TR_FILE;
 }
 
-/* Whether a point is finished is told by its directory alone. */
+/* Only the directory of a point shows whether it is finished. */
 static void end(runner *r, job *j, int status) {
     char name[TR_POINT_NAME], text[1024];
     tr_point_state state = TR_POINT_MISSING;
@@ -190,7 +190,7 @@ static bool look(runner *r, int *missing) {
     return true;
 }
 
-/* Tables that are in the way are found before the first point runs. */
+/* Tables that would be overwritten are found before the first point runs. */
 static bool claim(const runner *r) {
     const char *dir = r->o->dir;
     return tr_dir_make(dir, ".", r->st) && tr_made_add(dir, "points.csv", r->st) &&

@@ -21,9 +21,9 @@ typedef struct tr_grid_report {
     tr_code code;            /* of those that failed, the lowest */
 } tr_grid_report;
 
-/* Runs what is missing, each point as a child process of this same program. All are read, and those of the first seed
- * checked, before the first one runs. Packings go to dir/samples, and points that compact the same one share it. Points
- * that fail are told by `say`, and counted, and in the end their lowest code; they do not stop the others. */
+/* Runs the missing points, each as a child process of this program. All are read, and those of the first seed
+ * checked, before the first one runs. Packings go to dir/samples, and points with the same packing use one file. `say`
+ * reports failed points. They are counted, their lowest code is kept, and the others run on. */
 bool tr_grid_run(const tr_grid *g, const tr_grid_options *options, tr_grid_report *report, tr_status *st);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* One value under two spellings, `0.5` and `1/2`, would run twice, and count twice. Two values of a key are one if the cases
- * that they make are equal for all values of the other keys. So are those of a key without effect, which `set` overrides. */
+/* One value in two spellings, `0.5` and `1/2`, would run twice and count twice. Two values of a key are equal if their
+ * cases are equal for all values of the other keys. This includes a key without effect, which `set` overrides. */
 
 #include "study/sweep_twice.h"
 
@@ -13,7 +13,7 @@
 #include <string.h>
 
 /* Of the resolved case, its numbers to 14 digits: `30 deg` and `pi/6` differ by rounding. 0: these values make no case;
- * running tells why. */
+ * the run says why. */
 static uint64_t hash_case(const tr_grid *g, int point) {
     tr_scene scene;
     tr_status ignored = {0};

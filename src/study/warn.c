@@ -101,7 +101,7 @@ void tr_warn_biaxial(const tr_biaxial *b, tr_run_report *report) {
     if (tr_fit_biaxial(b, &f)) warn_fit(&f, "", " at the mean force to expect in the shear", "", report);
 }
 
-/* Over the steps in which there is a contact; 0: in none. */
+/* Over the steps with a contact; 0: none. */
 static double mean_force(const tr_scene *played, const tr_scene_law *normal) {
     const tr_law *law = tr_laws_normal[normal->law];
     const tr_scene_pair *pair = &played->pair;
@@ -117,7 +117,7 @@ static double mean_force(const tr_scene *played, const tr_scene_law *normal) {
     return steps > 0 ? sum / steps : 0;
 }
 
-/* As it was given, or by Lambda at the force of the first segment; 0: none is. */
+/* As given, or from Lambda at the force of the first segment; 0: not given. */
 static double depth_of(const tr_scene *played) {
     const tr_scene_pair *pair = &played->pair;
     if (!isnan(pair->depth)) return pair->depth;
