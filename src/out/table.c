@@ -6,7 +6,8 @@
 #include <string.h>
 
 void tr_row_add(tr_row *row, double value, const char *name_format, ...) {
-    tr_cell *cell = &row->cell[row->n++];
+    if (row->n++ >= TR_MAX_CELLS) return; /* writing fails */
+    tr_cell *cell = &row->cell[row->n - 1];
     char name[TR_BY_SHAPE], part[TR_BY_SHAPE];
     va_list args;
     va_start(args, name_format);
@@ -30,26 +31,28 @@ void tr_cell_put(FILE *file, double value, int digits) {
 }
 
 void tr_row_header(const tr_row *row, tr_file *file) {
-    if (ftell(file->stream) != 0) return;
+    if (row->n > TR_MAX_CELLS || ftell(file->stream) != 0) return;
     for (int i = 0; i < row->n; i++) fprintf(file->stream, "%s%c", row->cell[i].name, i + 1 < row->n ? ',' : '\n');
 }
 
-static void write_cells(const tr_row *row, tr_file *file, int digits) {
+static bool write_cells(const tr_row *row, tr_file *file, int digits, tr_status *st) {
+    if (row->n > TR_MAX_CELLS)
+        return tr_status_fail(st, TR_FILE, "error: a table of %d columns, at most %d are written", row->n,
+                              TR_MAX_CELLS);
     tr_row_header(row, file);
     for (int i = 0; i < row->n; i++) {
         tr_cell_put(file->stream, row->cell[i].value, digits);
         putc(i + 1 < row->n ? ',' : '\n', file->stream);
     }
+    return true;
 }
 
 bool tr_row_write(const tr_row *row, tr_file *file, tr_status *st) {
-    write_cells(row, file, 9);
-    return tr_file_check(file, st);
+    return write_cells(row, file, 9, st) && tr_file_check(file, st);
 }
 
 bool tr_row_write_exact(const tr_row *row, tr_file *file, tr_status *st) {
-    write_cells(row, file, 17);
-    return !ferror(file->stream) || tr_file_check(file, st);
+    return write_cells(row, file, 17, st) && (!ferror(file->stream) || tr_file_check(file, st));
 }
 
 void tr_row_biaxial(tr_row *row, const tr_biaxial_state *s, const tr_measures *m, const tr_energy *e) {

@@ -23,7 +23,7 @@ typedef struct tr_row {
     tr_cell cell[TR_MAX_CELLS];
 } tr_row;
 
-/* name_format: see tr_param_by_shape. */
+/* name_format: see tr_param_by_shape. A row of more than TR_MAX_CELLS is not written: that fails. */
 void tr_row_add(tr_row *row, double value, const char *name_format, ...) __attribute__((format(printf, 3, 4)));
 
 /* The column of a quantity with its unit behind: "P", "N/m|N" is P_N_per_m or P_N. */

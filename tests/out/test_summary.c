@@ -134,9 +134,36 @@ static void test_what_is_no_number_is_an_empty_cell(void **state) {
     assert_true(isnan(cell(&row, "tan_phi")));
 }
 
+/* A row has room for TR_MAX_CELLS. What is behind it stays as it is. */
+static void test_a_row_of_too_many_columns_is_not_written(void **state) {
+    (void)state;
+    struct {
+        tr_row row;
+        unsigned char behind[4 * sizeof(tr_cell)];
+    } r = {0};
+    memset(r.behind, 7, sizeof r.behind);
+    for (int more = 0; more < 3; more++) {
+        char *is = NULL;
+        size_t size;
+        FILE *stream = open_memstream(&is, &size);
+        tr_file file = {.stream = stream};
+        tr_status st = {0};
+        r.row.n = 0;
+        for (int i = 0; i < TR_MAX_CELLS + more; i++) tr_row_add(&r.row, i, "c%d", i);
+        assert_int_equal(tr_row_write(&r.row, &file, &st), more == 0);
+        assert_int_equal(st.code, more ? TR_FILE : TR_OK);
+        if (more) assert_non_null(strstr(st.text, more > 1 ? "66 columns, at most 64" : "65 columns, at most 64"));
+        fclose(stream);
+        assert_int_equal(size > 0, more == 0); /* no header either */
+        free(is);
+    }
+    for (size_t i = 0; i < sizeof r.behind; i++) assert_int_equal(r.behind[i], 7);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_strength), cmocka_unit_test(test_counts), cmocka_unit_test(test_increments),
-        cmocka_unit_test(test_tan_phi_where_there_is_one), cmocka_unit_test(test_what_is_no_number_is_an_empty_cell)};
+        cmocka_unit_test(test_tan_phi_where_there_is_one), cmocka_unit_test(test_what_is_no_number_is_an_empty_cell),
+        cmocka_unit_test(test_a_row_of_too_many_columns_is_not_written)};
     return cmocka_run_group_tests_name("summary", tests, NULL, NULL);
 }
