@@ -206,6 +206,10 @@ enum { TR_NORMAL, TR_FRICTION, TR_ROLLING, TR_N_SLOTS };
 /* The registry. Index = tr_scene_law.law. */
 extern const tr_law *const tr_laws_normal[], *const tr_laws_friction[], *const tr_laws_rolling[];
 extern const tr_law tr_friction_none, tr_rolling_none; /* their step is NULL */
+/* Of others those that something else names. */
+extern const tr_law tr_normal_linear, tr_normal_hertz_line, tr_normal_hertz_sphere, tr_friction_cattaneo_mindlin,
+    tr_friction_dahlberg_alfredsson, tr_rolling_wang_spring, tr_rolling_conjugate_spring,
+    tr_rolling_star_force_proportional, tr_rolling_star_constant_torque, tr_rolling_star_displacement_damping;
 
 /* A real parameter of a law by its key, in its parameter struct at par; NULL: the law has none of that name. */
 double *tr_law_value(const tr_law *law, const double *par, const char *key);

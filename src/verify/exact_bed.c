@@ -22,12 +22,6 @@
 
 static const double E_STAR = 2e6, MU = 0.3, DT = 1e-3;
 
-static const tr_law *friction(const char *name) {
-    const tr_law *const *law = tr_laws_friction;
-    while (strcmp((*law)->table.name, name)) law++;
-    return *law;
-}
-
 static tr_law_data data_of(tr_pairs_tile *p) {
     return (tr_law_data){.par = p->par[TR_FRICTION_SLOT],
                          .hist = p->hist_at[TR_FRICTION_SLOT],
@@ -110,7 +104,7 @@ bool tr_exact_bed_energy(tr_verify *v, tr_status *st) {
     tr_pairs_tile *p = tr_alloc(1, sizeof *p, st);
     double u[2][TR_PAIRS], want[2][TR_PAIRS];
     if (!p) return false;
-    tr_pairs_set(p, TR_FRICTION_SLOT, friction("cattaneo-mindlin"));
+    tr_pairs_set(p, TR_FRICTION_SLOT, &tr_friction_cattaneo_mindlin);
     for (int i = 0; i < TR_PAIRS; i++) {
         double R1 = p->R1[i], R2 = p->R2[i], delta = 0.05 * fmin(R1, R2);
         line c = {R1 * R2 / (R1 + R2), 2 * sqrt(R1 * R2) / M_E};
@@ -149,20 +143,20 @@ static void roll(tr_pairs_tile *p, int steps, double way, double *slid, double *
 
 static bool spring_row(tr_verify *v, tr_pairs_tile *p, double way, tr_status *st) {
     double slid[TR_PAIRS], crept[TR_PAIRS], worst = 0;
-    tr_pairs_set(p, TR_FRICTION_SLOT, friction("dahlberg-alfredsson"));
+    tr_pairs_set(p, TR_FRICTION_SLOT, &tr_friction_dahlberg_alfredsson);
     roll(p, 100, way, slid, crept);
     for (int i = 0; i < TR_PAIRS; i++) worst = fmax(worst, fabs(E_STAR * (slid[i] - crept[i]) / p->tile.f_t[i] - 1));
     return tr_exact_row(v, way > 0 ? "spring: k_t (slide - creep)/Q - 1, Q > 0" : "spring: the same, Q < 0", "1", worst,
                         0, 1e-11, NAN, "rounding of 100 sums", st);
 }
 
-static bool steady_row(tr_verify *v, tr_pairs_tile *p, const char *law, tr_status *st) {
+static bool steady_row(tr_verify *v, tr_pairs_tile *p, const tr_law *law, tr_status *st) {
     double slid[TR_PAIRS], crept[TR_PAIRS], worst = 0;
     char quantity[80];
-    tr_pairs_set(p, TR_FRICTION_SLOT, friction(law));
+    tr_pairs_set(p, TR_FRICTION_SLOT, law);
     roll(p, 20000, -1, slid, crept), roll(p, 1, -1, slid, crept);
     for (int i = 0; i < TR_PAIRS; i++) worst = fmax(worst, fabs(crept[i] / slid[i] - 1));
-    snprintf(quantity, sizeof quantity, "steady: creep/slide - 1, %s", law);
+    snprintf(quantity, sizeof quantity, "steady: creep/slide - 1, %s", law->table.name);
     return tr_exact_row(v, quantity, "1", worst, 0, 1e-9, NAN, "the transient falls by e in an a or two, of 40", st);
 }
 
@@ -171,7 +165,7 @@ bool tr_exact_creep_books(tr_verify *v, tr_status *st) {
     bool ok = p && spring_row(v, p, 1, st) && spring_row(v, p, -1, st);
     for (const tr_law *const *law = tr_laws_friction; ok && law < tr_laws_friction + tr_laws_catalog()->n_friction;
          law++)
-        if ((*law)->creep) ok = steady_row(v, p, (*law)->table.name, st);
+        if ((*law)->creep) ok = steady_row(v, p, *law, st);
     free(p);
     return ok;
 }

@@ -162,26 +162,22 @@ bool tr_exact_claims(tr_verify *v, tr_status *st) {
 
 /* ---- the cycle */
 
-static const tr_law *rolling(const char *name) {
-    const tr_law *const *law = tr_laws_rolling;
-    while (strcmp((*law)->table.name, name)) law++;
-    return *law;
-}
-
 bool tr_exact_cycle(tr_verify *v, tr_status *st) {
     static const struct {
-        const char *quantity, *law, *velocity;
+        const char *quantity;
+        const tr_law *law;
+        const char *velocity;
         double sense, made;
-    } cycles[] = {{"wang-spring, velocity wang", "wang-spring", "wang", 1, 0},
-                  {"wang-spring, velocity bagi-kuhn", "wang-spring", "bagi-kuhn", 1, 1},
-                  {"the same, run backwards", "wang-spring", "bagi-kuhn", -1, -1},
-                  {"conjugate-spring, velocity bagi-kuhn", "conjugate-spring", "bagi-kuhn", 1, 0}};
+    } cycles[] = {{"wang-spring, velocity wang", &tr_rolling_wang_spring, "wang", 1, 0},
+                  {"wang-spring, velocity bagi-kuhn", &tr_rolling_wang_spring, "bagi-kuhn", 1, 1},
+                  {"the same, run backwards", &tr_rolling_wang_spring, "bagi-kuhn", -1, -1},
+                  {"conjugate-spring, velocity bagi-kuhn", &tr_rolling_conjugate_spring, "bagi-kuhn", 1, 0}};
     tr_pairs_tile *p = tr_alloc(1, sizeof *p, st);
     bool ok = p != NULL;
     for (int k = 0; ok && k < 4; k++) {
         double work[TR_PAIRS], turned[TR_PAIRS], got = cycles[k].made;
         const double amount = 1e-3, k_r = 2e6;
-        tr_pairs_set(p, TR_ROLLING_SLOT, rolling(cycles[k].law));
+        tr_pairs_set(p, TR_ROLLING_SLOT, cycles[k].law);
         p->rolling_velocity = cycles[k].velocity;
         cycle(p, 0, 1, cycles[k].sense * amount, amount, work, turned);
         for (int i = 2; i < TR_PAIRS; i++) { /* the first two are of equal radii */

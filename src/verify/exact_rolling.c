@@ -99,8 +99,9 @@ bool tr_exact_incline(tr_verify *v, tr_status *st) {
                                           "slope from which it rolls", NULL},
                              *const slipping[] = {"acceleration, slipping", NULL};
     const double mu = 0.3, mu_r = 0.1;
-    const struct resistance *r = resistances;
-    while (strcmp(r->law, tr_exact_of(v, "incline-"))) r++;
+    const struct resistance *r = tr_exact_find(v, "incline-", resistances, sizeof resistances / sizeof *resistances,
+                                               sizeof *resistances, st);
+    if (!r) return false;
     char law[160], checks[400];
     double rolls = (r->moment + r->force) * mu_r, slips = 3 * mu - (2 * r->moment - r->force) * mu_r;
     double between = atan(0.5 * (rolls + slips)), above = atan(1.2 * slips);
@@ -133,7 +134,7 @@ bool tr_exact_no_spin(tr_verify *v, tr_status *st) {
 /* ---- coasting: a moment M brakes with (2/3) M/(m R), v0^2 over twice that is the way */
 
 bool tr_exact_coasting(tr_verify *v, tr_status *st) {
-    static const struct {
+    static const struct brake {
         const char *law, *more, *way; /* beyond 3 v0^2/(4 lever mu_r g) */
         double lever;
     } brakes[] = {
@@ -143,8 +144,8 @@ bool tr_exact_coasting(tr_verify *v, tr_status *st) {
         {"star-constant-torque", "", "", 2},
         {"star-displacement-damping", ", theta_max: 0.1", " + disks.0.radius*contact.theta_max/2", 2},
     };
-    int k = 0;
-    while (strcmp(brakes[k].law, tr_exact_of(v, "coasting-"))) k++;
+    const struct brake *b = tr_exact_find(v, "coasting-", brakes, sizeof brakes / sizeof *brakes, sizeof *brakes, st);
+    if (!b) return false;
     char text[1600];
     snprintf(
         text, sizeof text,
@@ -153,7 +154,7 @@ bool tr_exact_coasting(tr_verify *v, tr_status *st) {
         "disks: [{radius: 100 mm, density: 1200, x: 0, y: radius + density*pi*radius^2*gravity.y/contact.k_n, "
         "vx: 1 m/s, spin: -vx/radius}]\nwalls: [{nx: 0, ny: 1}]\nchecks:\n"
         "  - {what: stop-distance, exact: 3/(4*%g)*disks.0.vx^2/(contact.mu_r*9.81 m/s^2)%s, tolerance: 0.002*exact}\n",
-        brakes[k].law, brakes[k].more, brakes[k].lever, brakes[k].way);
+        b->law, b->more, b->lever, b->way);
     static const char *const quantity[] = {"way to rest", NULL};
     return rows(v, text, quantity, NAN, "the brake loads friction's spring in a swing, which takes g/w_t, 0.1 % of v0",
                 st);

@@ -19,8 +19,14 @@ bool tr_exact_row_and(tr_verify *v, const char *quantity, const char *unit, doub
     return tr_verify_add(v, &row, st);
 }
 
-const char *tr_exact_of(const tr_verify *v, const char *prefix) {
-    return v->now->name + strlen(prefix);
+const void *tr_exact_find(const tr_verify *v, const char *prefix, const void *rows, size_t n, size_t size,
+                          tr_status *st) {
+    size_t used = strlen(prefix);
+    bool fits = strncmp(v->now->name, prefix, used) == 0;
+    for (const char *row = rows; fits && row < (const char *)rows + n * size; row += size)
+        if (strcmp(*(const char *const *)(const void *)row, v->now->name + used) == 0) return row;
+    tr_status_fail(st, TR_BAD_CASE, "error: the verification %s has no row in its table of laws", v->now->name);
+    return NULL;
 }
 
 static bool drive(const tr_scene *scene, tr_contact_state *end, int n, tr_status *st) {

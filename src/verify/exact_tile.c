@@ -7,17 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const tr_law *none(const tr_law *const *laws) {
-    while (strcmp((*laws)->table.name, "none")) laws++;
-    return *laws;
-}
-
 /* Laws that follow the curve of the normal force get a curved one. */
 static const tr_law *normal_for(const tr_law *law, tr_shape shape) {
-    const char *name = shape == TR_SHAPE_SPHERE ? "hertz-sphere" : law->merged ? "hertz-line" : "linear";
-    const tr_law *const *normal = tr_laws_normal;
-    while (strcmp((*normal)->table.name, name)) normal++;
-    return *normal;
+    return shape == TR_SHAPE_SPHERE ? &tr_normal_hertz_sphere : law->merged ? &tr_normal_hertz_line : &tr_normal_linear;
 }
 
 static void set_parameters(tr_pairs_tile *p, int slot, bool damped) {
@@ -52,8 +44,8 @@ void tr_pairs_set(tr_pairs_tile *p, int slot, const tr_law *law) {
     memset(p, 0, sizeof *p);
     p->shape = law->table.demands & TR_ONLY_SPHERES ? TR_SHAPE_SPHERE : TR_SHAPE_DISK;
     p->law[0] = slot == TR_NORMAL_SLOT ? law : normal_for(law, p->shape);
-    p->law[1] = slot == TR_FRICTION_SLOT ? law : none(tr_laws_friction);
-    p->law[2] = slot == TR_ROLLING_SLOT ? law : none(tr_laws_rolling);
+    p->law[1] = slot == TR_FRICTION_SLOT ? law : &tr_friction_none;
+    p->law[2] = slot == TR_ROLLING_SLOT ? law : &tr_rolling_none;
     p->rolling_velocity = "wang";
     p->tile.n = TR_PAIRS, p->tile.R1 = p->R1, p->tile.R2 = p->R2, p->tile.g1 = p->g1;
     for (int s = 0; s < 3; s++) {

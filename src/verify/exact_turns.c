@@ -22,12 +22,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const tr_law *rolling(const char *name) {
-    const tr_law *const *law = tr_laws_rolling;
-    while (strcmp((*law)->table.name, name)) law++;
-    return *law;
-}
-
 /* ---- sign laws */
 
 /* The largest spin that is left, of each body or relative, over the largest at the start. */
@@ -51,13 +45,13 @@ static double spin_left(tr_pairs_tile *p, bool relative) {
 }
 
 bool tr_exact_sign_laws(tr_verify *v, tr_status *st) {
-    static const char *const law[] = {"star-force-proportional", "star-constant-torque"},
-                             *const quantity[] = {"force proportional: spin left",
+    static const tr_law *const law[] = {&tr_rolling_star_force_proportional, &tr_rolling_star_constant_torque};
+    static const char *const quantity[] = {"force proportional: spin left",
                                                   "constant torque: relative spin left"};
     tr_pairs_tile *p = tr_alloc(1, sizeof *p, st);
     bool ok = p;
     for (int k = 0; k < 2 && ok; k++) {
-        tr_pairs_set(p, TR_ROLLING_SLOT, rolling(law[k]));
+        tr_pairs_set(p, TR_ROLLING_SLOT, law[k]);
         ok = tr_exact_row(v, quantity[k], "1", spin_left(p, k), 0, 1e-12, NAN, "rounding of torques that cancel", st);
     }
     free(p);
@@ -120,7 +114,7 @@ static bool limit_row(tr_verify *v, double R2, tr_status *st) {
 bool tr_exact_conjugate(tr_verify *v, tr_status *st) {
     tr_pairs_tile *p = tr_alloc(1, sizeof *p, st);
     if (p) {
-        tr_pairs_set(p, TR_ROLLING_SLOT, rolling("conjugate-spring"));
+        tr_pairs_set(p, TR_ROLLING_SLOT, &tr_rolling_conjugate_spring);
         p->rolling_velocity = "bagi-kuhn";
     }
     bool ok = p && tr_exact_row(v, "power + T V_r, largest, over T V_r", "1", power_off(p), 0, 1e-8, NAN,
@@ -153,13 +147,14 @@ static double store_off(tr_pairs_tile *p) {
 }
 
 bool tr_exact_rolling_store(tr_verify *v, tr_status *st) {
-    static const char *const law[] = {"wang-spring", "conjugate-spring", "star-displacement-damping"};
+    static const tr_law *const law[] = {&tr_rolling_wang_spring, &tr_rolling_conjugate_spring,
+                                        &tr_rolling_star_displacement_damping};
     tr_pairs_tile *p = tr_alloc(1, sizeof *p, st);
     bool ok = p;
     for (int k = 0; k < 3 && ok; k++) {
-        tr_pairs_set(p, TR_ROLLING_SLOT, rolling(law[k]));
+        tr_pairs_set(p, TR_ROLLING_SLOT, law[k]);
         if (k == 1) p->rolling_velocity = "bagi-kuhn";
-        ok = tr_exact_row(v, law[k], "1", store_off(p), 0, 1e-11, NAN, "rounding: the mean of a linear force is exact",
+        ok = tr_exact_row(v, law[k]->table.name, "1", store_off(p), 0, 1e-11, NAN, "rounding: the mean of a linear force is exact",
                           st);
     }
     free(p);

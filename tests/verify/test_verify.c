@@ -2,6 +2,7 @@
 /* What makes a number of `trundle verify` right or wrong, what its table holds, and that every verification says what a
  * reviewer asks: source, and a mutation that it catches. The numbers themselves are checked by `trundle verify`. */
 #include "assert_close.h"
+#include "verify/exact.h"
 #include "verify/groups.h"
 #include "verify/sweep.h"
 #include "verify/verify.h"
@@ -161,10 +162,40 @@ static void test_sweep_in_brief(void **state) {
     }
 }
 
+/* Beside the rows there is nothing to be read. */
+static void test_a_law_without_a_row_is_reported(void **state) {
+    (void)state;
+    static const struct {
+        const char *law;
+        int number;
+    } rows[] = {{"none", 0}, {"spring", 1}};
+    const tr_verification named[] = {{.name = "on-slope-none"},
+                                     {.name = "on-slope-spring"},
+                                     {.name = "on-slope-"},
+                                     {.name = "on-slope-sprin"},
+                                     {.name = "none"},
+                                     {.name = "on-"},
+                                     {.name = "on-slope-springs"}};
+    for (int k = 0; k < 7; k++) {
+        tr_verify v = {.now = &named[k]};
+        tr_status st = {0};
+        const void *row = tr_exact_find(&v, "on-slope-", rows, 2, sizeof *rows, &st);
+        assert_ptr_equal(row, k < 2 ? &rows[k] : NULL);
+        assert_int_equal(st.code, k < 2 ? TR_OK : TR_BAD_CASE);
+        if (k >= 2) assert_non_null(strstr(st.text, named[k].name));
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rows),           cmocka_unit_test(test_outcomes), cmocka_unit_test(test_many),
-        cmocka_unit_test(test_stop),           cmocka_unit_test(test_table),    cmocka_unit_test(test_registry),
+        cmocka_unit_test(test_a_law_without_a_row_is_reported),
+
+        cmocka_unit_test(test_rows),
+        cmocka_unit_test(test_outcomes),
+        cmocka_unit_test(test_many),
+        cmocka_unit_test(test_stop),
+        cmocka_unit_test(test_table),
+        cmocka_unit_test(test_registry),
         cmocka_unit_test(test_sweep_in_brief),
     };
     return cmocka_run_group_tests_name("verify", tests, NULL, NULL);
