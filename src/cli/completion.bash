@@ -45,7 +45,7 @@ _trundle() {
         fi
         ;;
     sweep:* | bench:*) _trundle_files "$word" '*.yaml' ;;
-    measures:*) _trundle_files "$word" '*.csv' ;;
+    measures:* | identify:*) _trundle_files "$word" '*.csv' ;;
     replay:*) _trundle_files "$word" '*/' ;;
     laws:*) _trundle_offer "$word" < <("$program" laws | sed -n 's/^  \([^ ]*\) .*/\1/p' | sort -u) ;;
     verify:*) _trundle_offer "$word" < <("$program" verify --list | awk '{print $1; print $2}' | sort -u) ;;

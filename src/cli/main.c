@@ -10,7 +10,7 @@
 
 /* argv[0] is the command's name; each returns the exit code. */
 typedef int tr_command(int argc, char **argv);
-tr_command tr_cli_run, tr_cli_sweep, tr_cli_replay, tr_cli_laws, tr_cli_bench, tr_cli_measures, tr_cli_verify;
+tr_command tr_cli_run, tr_cli_sweep, tr_cli_replay, tr_cli_laws, tr_cli_bench, tr_cli_measures, tr_cli_identify, tr_cli_verify;
 
 static const struct command {
     const char *name, *doc;
@@ -23,6 +23,7 @@ static const struct command {
     {"laws", "list the contact laws, or explain one: trundle laws wang-spring", tr_cli_laws},
     {"bench", "measure the speed of the contact loop on a sheared sample", tr_cli_bench},
     {"measures", "rolling and sliding by every definition: a card of pure motions, or a CSV file", tr_cli_measures},
+    {"identify", "name the definitions behind another code's numbers, and what they break", tr_cli_identify},
     {"verify", "compare numbers with closed forms and independent solvers: exact, precision, stability", tr_cli_verify},
 };
 enum { N_COMMANDS = sizeof commands / sizeof *commands };

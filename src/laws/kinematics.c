@@ -168,14 +168,14 @@ enum { ALL = TR_ARMS_OBJECTIVE | TR_ARMS_BALANCED | TR_ARMS_CONJUGATE };
 #define IN_SCENES(X)                                                                                                   \
     X("shared", "wang", ALL, "[Wang2015 eq. 12] mended", "R_i |X21|/(R1+R2), at a wall R2", shared_arms,               \
       tr_kinematics_pair, tr_kinematics_wall, edge)                                                                    \
-    X("midpoint", "midpoint", ALL, "[Luding2008]; LIGGGHTS 3.8.0", "R_i - delta/2, at a wall R2 - delta",              \
+    X("midpoint", "midpoint", ALL, "[Luding2008]; LIGGGHTS 3.8.0", "R_i - overlap/2, at a wall R2 - overlap",          \
       midpoint_arms, midpoint_pair, midpoint_at_wall, midpoint_at_edge)
 #define ONLY_MEASURED(X)                                                                                               \
     X("full", "full-radius", TR_ARMS_CONJUGATE, "[Wang2015 eq. 12]", "R_i", full_arms, NULL, NULL, NULL)               \
-    X("full-midpoint", "full-radius", TR_ARMS_BALANCED, "LAMMPS 29Sep2021", "velocity R_i, torque R_i - delta/2",      \
+    X("full-midpoint", "full-radius", TR_ARMS_BALANCED, "LAMMPS 29Sep2021", "velocity R_i, torque R_i - overlap/2",    \
       midpoint_arms, NULL, NULL, NULL)                                                                                 \
     X("stretched-midpoint", "alonso", TR_ARMS_OBJECTIVE | TR_ARMS_BALANCED, "YADE 2023.02a",                           \
-      "velocity s1-s2, torque R_i - delta/2", midpoint_arms, NULL, NULL, NULL)
+      "velocity s1-s2, torque R_i - overlap/2", midpoint_arms, NULL, NULL, NULL)
 #define ROW(name, sliding, claims, source, formula, arms, pair, wall, edge)                                            \
     {name, sliding, source, formula, claims, arms, pair, wall, edge},
 #define ONE(...) +1
