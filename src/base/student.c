@@ -19,13 +19,17 @@ static double within(double theta, int n) {
     return n % 2 ? 2 / M_PI * (theta + tr_sin(theta) * sum) : tr_sin(theta) * sum;
 }
 
-double tr_student_95(int freedom) {
+double tr_student_t(int freedom, double probability) {
     double low = 0, high = M_PI / 2;
     for (int i = 0; i < 60; i++) { /* to the last bit */
         double middle = 0.5 * (low + high);
-        *(within(middle, freedom) < 0.95 ? &low : &high) = middle;
+        *(within(middle, freedom) < probability ? &low : &high) = middle;
     }
     return sqrt(freedom) * tr_tan(low);
+}
+
+double tr_student_95(int freedom) {
+    return tr_student_t(freedom, 0.95);
 }
 
 tr_mean tr_mean_of(const double *x, int n) {

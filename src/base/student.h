@@ -18,4 +18,7 @@ tr_mean tr_mean_of(const double *x, int n);
 /* The t that |t| of so many degrees of freedom, 1 or more, exceeds with probability 0.05. */
 double tr_student_95(int freedom);
 
+/* The t that |t| stays below with this probability. */
+double tr_student_t(int freedom, double probability);
+
 #endif

@@ -44,7 +44,7 @@ _trundle() {
             _trundle_files "$word" '*.yaml'
         fi
         ;;
-    sweep:* | bench:*) _trundle_files "$word" '*.yaml' ;;
+    sweep:* | bench:* | converge:*) _trundle_files "$word" '*.yaml' ;;
     measures:* | identify:*) _trundle_files "$word" '*.csv' ;;
     replay:*) _trundle_files "$word" '*/' ;;
     laws:*) _trundle_offer "$word" < <("$program" laws | sed -n 's/^  \([^ ]*\) .*/\1/p' | sort -u) ;;

@@ -10,7 +10,8 @@
 
 /* argv[0] is the command's name; each returns the exit code. */
 typedef int tr_command(int argc, char **argv);
-tr_command tr_cli_run, tr_cli_sweep, tr_cli_replay, tr_cli_laws, tr_cli_bench, tr_cli_measures, tr_cli_identify, tr_cli_verify;
+tr_command tr_cli_run, tr_cli_sweep, tr_cli_converge, tr_cli_replay, tr_cli_laws, tr_cli_bench, tr_cli_measures,
+    tr_cli_identify, tr_cli_verify;
 
 static const struct command {
     const char *name, *doc;
@@ -18,6 +19,8 @@ static const struct command {
 } commands[] = {
     {"run", "run a case file: trundle run cases/biaxial.yaml -o out/biaxial", tr_cli_run},
     {"sweep", "run a case for each point of a grid of values and seeds: cases/sweep-quick.yaml", tr_cli_sweep},
+    {"converge", "how wrong the numbers of a case are, from which cause, and what to set: error against run time",
+     tr_cli_converge},
     {"replay", "move the contacts of a biaxial test again, by the exact half-plane and every friction law",
      tr_cli_replay},
     {"laws", "list the contact laws, or explain one: trundle laws wang-spring", tr_cli_laws},

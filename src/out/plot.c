@@ -89,8 +89,8 @@ bool tr_plot_available(void) {
 
 /* gnuplot, working in dir, silent. -d: without the user's settings. It has its own process group, so that Ctrl-C leaves
  * no half picture. code: its exit code; -1: a signal. False: it did not start. */
-static bool run_gnuplot(const char *dir, int *code, tr_status *st) {
-    char *const argv[] = {"gnuplot", "-d", "-e", "part = '.part'", "plot.gp", NULL};
+static bool run_gnuplot(const char *dir, const char *script, int *code, tr_status *st) {
+    char *const argv[] = {"gnuplot", "-d", "-e", "part = '.part'", (char *)script, NULL};
     posix_spawn_file_actions_t actions;
     posix_spawnattr_t attr;
     pid_t child;
@@ -126,9 +126,8 @@ static bool keep(const char *part, const char *path, const char *end, size_t siz
     return code || tr_status_fail(st, TR_FILE, "error: cannot write %s: gnuplot did not finish it", path);
 }
 
-/* Runs plot.gp, and names its two pictures. The names are made first: if memory is short, gnuplot does not start, and
- * no parts are left. */
-static bool draw(const char *dir, const char *stem, int *code, tr_status *st) {
+/* The names are made first: if memory is short, gnuplot does not start, and no parts are left. */
+bool tr_plot_draw(const char *dir, const char *script, const char *stem, int *code, tr_status *st) {
     static const char svg_end[] = "</svg>\n\n", png_end[] = "IEND\xae\x42\x60\x82";
     char name[2][32], path[2][TR_PATH], *part[2] = {NULL};
     bool ok = true;
@@ -137,7 +136,7 @@ static bool draw(const char *dir, const char *stem, int *code, tr_status *st) {
         ok = tr_made_add(dir, name[k], st) && tr_dir_path(path[k], dir, name[k], st) &&
              (part[k] = tr_part_name(path[k], st));
     }
-    if (ok && (ok = run_gnuplot(dir, code, st))) {
+    if (ok && (ok = run_gnuplot(dir, script, code, st))) {
         bool svg = keep(part[0], path[0], svg_end, sizeof svg_end - 1, *code, st);
         ok = keep(part[1], path[1], png_end, sizeof png_end - 1, *code, st) && svg;
     }
@@ -149,7 +148,7 @@ bool tr_plot_biaxial(const char *dir, const char *caption, double strain_end, in
     tr_file file;
     if (!tr_file_open(&file, dir, "plot.gp", st)) return false;
     fprintf(file.stream, "caption = '%s'\nstrain_end = %g\n%s", caption, strain_end, biaxial_script);
-    return tr_file_commit(&file, st) && draw(dir, "biaxial", code, st);
+    return tr_file_commit(&file, st) && tr_plot_draw(dir, "plot.gp", "biaxial", code, st);
 }
 
 bool tr_plot_contact(const char *dir, const char *const *label, int n_laws, bool rolling, tr_shape shape, int *code,
@@ -161,5 +160,5 @@ bool tr_plot_contact(const char *dir, const char *const *label, int n_laws, bool
             sphere ? "N" : "N/m", sphere ? "N m" : "N");
     for (int i = 0; i < n_laws; i++) fprintf(file.stream, "label[%d] = '%s'\n", i + 1, label[i]);
     fputs(contact_script, file.stream);
-    return tr_file_commit(&file, st) && draw(dir, "contact", code, st);
+    return tr_file_commit(&file, st) && tr_plot_draw(dir, "plot.gp", "contact", code, st);
 }
