@@ -19,7 +19,8 @@ bool tr_plot_biaxial(const char *dir, const char *caption, double strain_end, in
 bool tr_plot_contact(const char *dir, const char *const *label, int n_laws, bool rolling, tr_shape shape, int *code,
                      tr_status *st);
 
-/* Runs a script in dir, and names its pictures STEM.svg and STEM.png. The script writes each as NAME.part, where `part` is set. */
+/* Runs a script in dir, and names its pictures STEM.svg and STEM.png. The script writes each as NAME.part, where
+ * `part` is set. */
 bool tr_plot_draw(const char *dir, const char *script, const char *stem, int *code, tr_status *st);
 
 #endif

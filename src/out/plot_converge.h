@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The pictures of `trundle converge`: converge-time, error against run time of each cause, from levels.csv; converge-parts, how
- * much of the error each cause makes. Scripts beside them make them again. */
+/* The pictures of `trundle converge`: converge-time, error against run time of each cause, from levels.csv;
+ * converge-parts, how much of the error each cause makes. Scripts beside them make them again. */
 #ifndef TR_PLOT_CONVERGE_H
 #define TR_PLOT_CONVERGE_H
 
@@ -20,7 +20,8 @@ typedef struct tr_plot_converge_labels {
     double fast, slow; /* run times in levels.csv [s] */
 } tr_plot_converge_labels;
 
-/* *code: gnuplot's exit code; if it is not 0 there are no pictures, which is no failure. TR_FILE: a file cannot be written. */
+/* *code: gnuplot's exit code; if it is not 0 there are no pictures, which is no failure. TR_FILE: a file cannot be
+ * written. */
 bool tr_plot_converge(const char *dir, const tr_plot_converge_labels *labels, int *code, tr_status *st);
 
 #endif

@@ -65,7 +65,8 @@ static bool decided(const tr_converge *c, const tr_converge_ladder *l) {
     return true;
 }
 
-/* One finer, then the coarser ones, then ever finer; -1: there is none left. A finer level that failed ends the ladder. */
+/* One finer, then the coarser ones, then ever finer; -1: there is none left. A finer level that failed ends the
+ * ladder. */
 static int next_level(const tr_converge *c, const tr_converge_ladder *l) {
     int fine = l->own + 1;
     while (fine < l->n && l->level[fine].state == TR_LEVEL_DONE) fine++;
@@ -114,8 +115,8 @@ static bool run_own(tr_converge *c, tr_status *st) {
     double left = c->until - tr_run_clock();
     if (!tr_converge_level_run(c, NULL, 0, 1, &c->own, st)) return false;
     if (c->own.state == TR_LEVEL_FAILED)
-        return tr_status_fail(st, TR_BAD_CASE, "error: %.200s fails as it is: %.600s", file,
-                              c->n_notes ? c->note[c->n_notes - 1] : "");
+        return tr_status_fail(st, TR_BAD_CASE, "error: %.200s does not run: %.600s", file,
+                              c->n_notes ? c->note[0] : "");
     if (c->own.state == TR_LEVEL_OPEN)
         return tr_status_fail(st, TR_BAD_CASE,
                               "error: a budget of %.3g s is too small for one run of %.200s, of which %.3g s are done",
@@ -137,7 +138,8 @@ static int tried(const tr_converge_ladder *l) {
     return n;
 }
 
-/* Whether a ladder with this cost comes before another: each has its first level before one has its second, cheap ones first. */
+/* Whether a ladder with this cost comes before another: each has its first level before one has its second, cheap
+ * ones first. */
 static bool comes_first(const tr_converge_ladder *l, double cost, const tr_converge_ladder *other, double other_cost) {
     int mine = tried(l), its = other ? tried(other) : 0;
     return !other || mine < its || (mine == its && cost < other_cost);

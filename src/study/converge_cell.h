@@ -9,7 +9,8 @@
 /* Whether the name can be one of a case of this kind. TR_BAD_CASE: how one is written. */
 bool tr_converge_cell_check(tr_kind kind, const char *name, tr_status *st);
 
-/* The cell in the table of the run in dir; between two instants: linear. No such column, disk or instant: TR_BAD_CASE. */
+/* The cell in the table of the run in dir; between two instants: linear. No such column, disk or instant:
+ * TR_BAD_CASE. */
 bool tr_converge_cell(const char *dir, tr_kind kind, const char *name, double *value, tr_status *st);
 
 #endif

@@ -31,7 +31,8 @@ typedef struct tr_converge_options {
     void *context;
 } tr_converge_options;
 
-/* A number of summary.json, or a cell of a table: history.COLUMN@STRAIN, history.DISK.COLUMN@TIME, contact.LAW.COLUMN@SEGMENT. */
+/* A number of summary.json, or a cell of a table: history.COLUMN@STRAIN, history.DISK.COLUMN@TIME,
+ * contact.LAW.COLUMN@SEGMENT. */
 typedef struct tr_converge_number {
     char name[TR_SUMMARY_NAME];
     bool usual; /* not asked for by name */

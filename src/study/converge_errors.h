@@ -11,12 +11,12 @@ double tr_converge_value(const tr_converge *c, const tr_converge_ladder *l, int 
 /* The error that the cause makes at this level; NaN: not known. */
 double tr_converge_error(const tr_converge *c, const tr_converge_ladder *l, int q, int level);
 
-/* All causes at the case's own settings, those that are known; *unknown: how many are not. Errors of settings add up; what is noise of
- * samples adds up as squares. */
+/* All causes at the case's own settings, those that are known; *unknown: how many are not. Errors of settings add
+ * up; what is noise of samples adds up as squares. */
 double tr_converge_total(const tr_converge *c, int q, int *unknown);
 
-/* The coarsest setting whose error is within the share that each cause gets of what is asked, over all numbers: one that was
- * tried, or, where an order is seen, beyond. As a factor of the own setting. NaN: none is known. */
+/* The coarsest setting whose error is within the share that each cause gets of what is asked, over all numbers: one
+ * that was tried, or, where an order is seen, beyond. As a factor of the own setting. NaN: none is known. */
 double tr_converge_wanted(const tr_converge *c, const tr_converge_ladder *l);
 
 /* Seeds that it takes to have the mean within its share, over all numbers; 0: none is known. */

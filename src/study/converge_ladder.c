@@ -6,7 +6,8 @@
 
 /* Of a run of 1e6 steps, each with an error of 1e-16. */
 static const double ROUNDING = 1e-10;
-/* Orders that agree: the next term of the error, of an order more, changes p by less once h is some tenth of its range. */
+/* Orders that agree: the next term of the error, of an order more, changes p by less once h is some tenth of its
+ * range. */
 static const double AGREE = 0.3;
 static const double LEAST_ORDER = 0.4, LARGEST_ORDER = 8;
 
@@ -137,8 +138,8 @@ tr_ladder tr_ladder_of_samples(const double *value, int n, int stride, int seeds
     return l;
 }
 
-/* Each seed against the mean of the others: of normal samples that distance, over its standard error, has Student's t. Divided by
- * the number of seeds, 1 % of all normal sets have one. */
+/* Each seed against the mean of the others: of normal samples that distance, over its standard error, has Student's
+ * t. Divided by the number of seeds, 1 % of all normal sets have one. */
 static void find_outlier(tr_sample_error *e, const double *x, int seeds) {
     enum { LEAST = 5 };
     static const double FALSE = 0.01;

@@ -4,17 +4,20 @@
  * Without a sample (kinds bodies, contact, patch) a number has one value v_k at level k, and h_k = h_0/r^k:
  *
  *   exact      it does not change but for rounding
- *   order      differences of one sign whose ratio is r^p: three of these observed p, from five levels, agree to 0.3. Then
- *              v = v_k + (v_k - v_{k-1})/(r^p - 1) [Richardson1911]; its own error is how far it moved with the last level
- *   scattered  a kink falls where it falls between two steps. The largest change from level k on, D_k, falls as r^(-q k), q 0.5
- *              or more; the envelope A r^(-q k) lies above all of them, and twice it bounds what is left at the finest level
- *   open       none of these: not converged within the range. There is no number.
+ *   order      differences of one sign whose ratio is r^p: three of these observed p, from five levels, agree to 0.3.
+ *              Then v = v_k + (v_k - v_{k-1})/(r^p - 1) [Richardson1911]; its own error is how far it moved with the
+ *              last level
+ *   scattered  a kink falls where it falls between two steps. The largest change from level k on, D_k, falls as
+ *              r^(-q k), q 0.5 or more; the envelope A r^(-q k) lies above all of them, and twice it bounds what is
+ *              left at the finest level
+ *   open       none of these: not converged within the range. There is no number
  *
- * With a sample a level has a value of each seed, and what counts is the difference from the case's own level, seed by seed
- * where both have the same sample. Its mean has an interval by Student's t:
+ * With a sample a level has a value of each seed, and what counts is the difference from the case's own level, seed
+ * by seed where both have the same sample. Its mean has an interval by Student's t:
  *
  *   order      the same, where three differences of neighbours are each outside of their noise and two observed p agree
- *   noise      no difference of a finer level is outside of its noise; the error is at most the widest end of these intervals
+ *   noise      no difference of a finer level is outside of its noise; the error is at most the widest end of these
+ *              intervals
  *   open       else
  */
 #ifndef TR_STUDY_CONVERGE_LADDER_H

@@ -5,7 +5,8 @@
 
 #include "study/converge_data.h"
 
-/* Those of options->of, or the usual ones of the kind. TR_BAD_CASE: there is no such number; all that are there are listed. */
+/* Those of options->of, or the usual ones of the kind. TR_BAD_CASE: there is no such number; all that are there are
+ * listed. */
 bool tr_converge_choose(tr_converge *c, tr_status *st);
 
 /* The size of a number, by which rounding is judged: a speed that should be 0 is small beside the others. */

@@ -41,8 +41,8 @@ static void put_quoted(FILE *f, const char *text) {
     putc('"', f);
 }
 
-/* The keys of a cause: the first one varies and names the points, the others are set beside it. Items without the setting are
- * left alone. */
+/* The keys of a cause: the first one varies and names the points, the others are set beside it. Items without the
+ * setting are left alone. */
 static void put_keys(const tr_converge *c, FILE *f, const tr_cause *cause, int finer) {
     char key[64];
     bool first = true;
@@ -170,7 +170,10 @@ bool tr_converge_level_run(tr_converge *c, const tr_cause *cause, int finer, int
     if (inner.code) {
         char *line = strchr(inner.text, '\n');
         if (line) *line = '\0';
-        tr_converge_note(c, "%s = %.6g: %s", cause ? cause->key : "the case itself", level->setting, inner.text);
+        if (cause)
+            tr_converge_note(c, "%s = %.6g: %s", cause->key, level->setting, inner.text);
+        else
+            tr_converge_note(c, "the case as it is: %s", inner.text);
     }
     return true;
 }

@@ -5,8 +5,8 @@
 
 #include "study/converge_data.h"
 
-/* converge.csv: a row of each number and cause; levels.csv: a row of each number, cause and level; converge.md, comment.txt,
- * pictures. *text: as converge.md (free()). */
+/* converge.csv: a row of each number and cause; levels.csv: a row of each number, cause and level; converge.md,
+ * comment.txt, pictures. *text: as converge.md (free()). */
 bool tr_converge_write(tr_converge *c, char **text, tr_status *st);
 
 #endif

@@ -147,22 +147,28 @@ static void put_sentence(FILE *f, const tr_converge *c, int q) {
             tr_sample_seeds_for(s->deviation, aim), aim, tr_sample_seeds_to_see(s->deviation, aim));
 }
 
-/* "    step:\n      safety: 0.05" */
+static double setting_of(const tr_converge *c, const tr_cause *cause, int item, double times) {
+    double x = cause->own(&c->scene, item) * times;
+    return cause->whole ? ceil(x - 1e-9) : x;
+}
+
+/* "    step:\n      safety: 0.05"; of a list a line of comment. */
 static void put_setting(FILE *f, const tr_converge *c, const tr_cause *cause, double times) {
-    char key[64];
-    for (int i = 0; i < tr_cause_keys(cause, &c->scene); i++) {
-        double own = cause->own(&c->scene, i), x = own * times;
-        if (isnan(own)) continue;
-        tr_cause_key(cause, i, key, sizeof key);
-        if (cause->whole) x = ceil(x - 1e-9);
-        if (strchr(cause->key, '*')) {
-            fprintf(f, "    %s = %.6g\n", key, x);
-            continue;
-        }
-        const char *dot = strchr(key, '.');
-        if (dot) fprintf(f, "    %.*s:\n  ", (int)(dot - key), key);
-        fprintf(f, "    %s: %.3g\n", dot ? dot + 1 : key, x);
+    const char *dot = strrchr(cause->key, '.'), *last = dot ? dot + 1 : cause->key;
+    if (!cause->items) {
+        if (dot) fprintf(f, "    %.*s:\n  ", (int)(dot - cause->key), cause->key);
+        fprintf(f, "    %s: %.3g\n", last, setting_of(c, cause, 0, times));
+        return;
     }
+    bool first = true;
+    fprintf(f, "    # %s of the items of %.*s:", last, (int)strcspn(cause->key, "."), cause->key);
+    for (int i = 0; i < tr_cause_keys(cause, &c->scene); i++) {
+        double x = setting_of(c, cause, i, times);
+        if (isnan(x)) continue;
+        fprintf(f, "%s %.0f", first ? "" : ",", x);
+        first = false;
+    }
+    putc('\n', f);
 }
 
 static void put_advice(FILE *f, const tr_converge *c) {
