@@ -290,6 +290,9 @@ $(BUILD)/tests/base/test_threads_run: LDFLAGS += -Wl,--wrap=pthread_create
 # This one reads what is drawn.
 $(BUILD)/tests/study/test_inset_numbers: LDFLAGS += -Wl,--wrap=tr_draw_biaxial
 
+# This one reads the letters of pictures.
+$(BUILD)/tests/draw/test_class: LDFLAGS += -Wl,--wrap=cairo_set_font_size,--wrap=cairo_show_text
+
 # In this one calls fail.
 $(BUILD)/tests/base/test_checkpoint: LDFLAGS += -Wl,--wrap=openat,--wrap=write,--wrap=fsync,--wrap=close,--wrap=renameat,--wrap=unlinkat
 

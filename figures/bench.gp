@@ -21,9 +21,9 @@ set logscale y
 set format y '10^{%L}'
 set ylabel 'time of a step (µs)' offset 0
 set key top left Left reverse samplen 2
-plot (x >= 0.99*from && x <= 1.01*largest ? exp(fit_intercept)*x**fit_slope : NaN) with lines linewidth 3 linecolor rgb '#cc3311' \
+plot (x >= 0.99*from && x <= 1.01*largest ? exp(fit_intercept)*x**fit_slope : NaN) with lines linewidth 3 linecolor rgb '#a3195b' \
         title sprintf('N^{%.2f}, fitted from N = %d to %.0f', fit_slope, from, largest), \
-    csv skip 1 using 1:2:3:4 with yerrorbars pointtype 7 linewidth 2 linecolor rgb '#0072b2' title 'medians and quartiles'
+    csv skip 1 using 1:2:3:4 with yerrorbars pointtype 7 linewidth 2 linecolor rgb '#7f4a90' title 'medians and quartiles'
 
 set tmargin at screen 0.48
 set bmargin at screen 0.11
@@ -32,6 +32,6 @@ set format y '%g'
 set yrange [0:*]
 set ylabel 'per touching contact (ns)' offset -1
 set xlabel 'disks N' offset 0,0.4
-plot csv skip 1 using 1:5:6:7 with yerrorlines pointtype 7 linewidth 2 linecolor rgb '#0072b2' title 'whole step', \
-    csv skip 1 using 1:($5*$12) with linespoints pointtype 6 linewidth 2 linecolor rgb '#e69f00' title 'of it making lists'
+plot csv skip 1 using 1:5:6:7 with yerrorlines pointtype 7 linewidth 2 linecolor rgb '#7f4a90' title 'whole step', \
+    csv skip 1 using 1:($5*$12) with linespoints pointtype 6 linewidth 2 linecolor rgb '#a89a00' title 'of it making lists'
 unset multiplot

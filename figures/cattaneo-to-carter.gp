@@ -2,9 +2,9 @@
 # From Cattaneo to Carter: traction inside the contact, and the distance left. Data: cattaneo-to-carter.sh.
 set datafile separator ','
 array roll[6] = ['0', '0.25', '0.5', '1', '2', '4']
-array color[6] = ['#000000', '#5e3c99', '#0072b2', '#009e73', '#e69f00', '#cc3311']
+array color[6] = ['#000000', '#5e3c99', '#00714f', '#7fbf9f', '#a89a00', '#a3195b']
 array push[3] = [0.3, 0.6, 0.9]
-array shade[3] = ['#e08214', '#000000', '#5e3c99']
+array shade[3] = ['#a89a00', '#000000', '#5e3c99']
 traction(i) = strcol(1) eq 'traction' && strcol(3) eq roll[i] ? $5 : NaN
 
 set multiplot

@@ -12,7 +12,7 @@ set yrange [-0.5:5.5]
 set xtics 0.1,0.2,1.5 scale 0
 set ytics ('1.5' 0, '2' 1, '3' 2, '4' 3, '5' 4, '6' 5) scale 0
 set cbrange [0:30]
-set palette defined (0 '#ffffff', 1 '#fee391', 3 '#fe9929', 6 '#cc4c02', 10 '#662506')
+set palette defined (0 '#ffffff', 1 '#e3d3e8', 3 '#b08bbb', 6 '#7f4a90', 10 '#3f1250')
 unset colorbox
 unset key
 set xlabel 'creepage ξ / F_0' offset 0,0.6
@@ -48,8 +48,8 @@ set rmargin at screen 0.49
 set yrange [0:8]
 set ytics autofreq 2 scale default
 set key top right samplen 2 spacing 1.2
-plot csv using 1:(all(100*$3)) with linespoints linewidth 3.5 pointtype 7 linecolor rgb '#cc3311' title 'k = k_0', \
-    csv using 1:(all(100*$5)) with linespoints linewidth 3.5 pointtype 7 linecolor rgb '#0072b2' title 'k for least error'
+plot csv using 1:(all(100*$3)) with linespoints linewidth 3.5 pointtype 7 linecolor rgb '#a3195b' title 'k = k_0', \
+    csv using 1:(all(100*$5)) with linespoints linewidth 3.5 pointtype 7 linecolor rgb '#7f4a90' title 'k for least error'
 
 set title 'k / k_0 for the least error'
 set lmargin at screen 0.57
@@ -57,7 +57,7 @@ set rmargin at screen 0.99
 set yrange [1:1.4]
 set ytics autofreq 0.1
 at(creepage) = strcol(2) eq creepage ? $6 : NaN
-plot csv using 1:(at('0.1')) with linespoints linewidth 3.5 pointtype 7 linecolor rgb '#e69f00' title 'ξ = 0.1 F_0', \
-    csv using 1:(at('0.5')) with linespoints linewidth 3.5 pointtype 7 linecolor rgb '#009e73' title 'ξ = 0.5 F_0', \
-    csv using 1:(at('all')) with linespoints linewidth 3.5 pointtype 7 linecolor rgb '#0072b2' title 'all creepages'
+plot csv using 1:(at('0.1')) with linespoints linewidth 3.5 pointtype 7 linecolor rgb '#a89a00' title 'ξ = 0.1 F_0', \
+    csv using 1:(at('0.5')) with linespoints linewidth 3.5 pointtype 7 linecolor rgb '#7fbf9f' title 'ξ = 0.5 F_0', \
+    csv using 1:(at('all')) with linespoints linewidth 3.5 pointtype 7 linecolor rgb '#7f4a90' title 'all creepages'
 unset multiplot

@@ -2,7 +2,7 @@
 # Rolling velocities by author over the pure motions, and the energy of a spring on each. Data: definitions.sh.
 set datafile separator ','
 array name[7] = ['wang', 'bagi-kuhn', 'alonso-min', 'alonso-mean', 'tordesillas', 'kuhn', 'conjugate-spring of bagi-kuhn']
-array color[7] = ['#0072b2', '#d55e00', '#009e73', '#f0a0d0', '#e69f00', '#56b4e9', '#000000']
+array color[7] = ['#7f4a90', '#00714f', '#7fbf9f', '#d08aa8', '#a89a00', '#c9a0d0', '#000000']
 # Where curves coincide, each is narrower than the one below it.
 array width[7] = [14, 9, 5.5, 2.5, 3, 3.5, 3.5]
 array dash[7] = [1, 1, 1, 1, 1, 2, 3]

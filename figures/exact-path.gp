@@ -2,7 +2,7 @@
 # Friction laws and the exact contact along one path, and their errors. Data: exact-path.sh.
 set datafile separator ','
 array name[6] = ['exact', 'coulomb-spring', 'cattaneo-mindlin', 'vu-quoc-zhang', 'kuhn-creep', 'dahlberg-alfredsson']
-array color[6] = ['#000000', '#999999', '#ee7733', '#009e73', '#0072b2', '#cc3311']
+array color[6] = ['#000000', '#999999', '#a89a00', '#7fbf9f', '#7f4a90', '#a3195b']
 array width[6] = [7, 3.5, 3.5, 3.5, 3.5, 3.5]
 of(i, value) = strcol(1) eq name[i] ? value : NaN
 array end[9] = [0, 100, 230, 310, 460, 610, 760, 860, 960]

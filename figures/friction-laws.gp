@@ -2,7 +2,7 @@
 # Friction force of all friction laws along one path. Data: friction-laws.sh.
 set datafile separator ','
 array name[5] = ['coulomb-spring', 'dahlberg-alfredsson', 'cattaneo-mindlin', 'kuhn-creep', 'vu-quoc-zhang']
-array color[5] = ['#999999', '#d55e00', '#000000', '#0072b2', '#009e73']
+array color[5] = ['#999999', '#00714f', '#000000', '#7f4a90', '#7fbf9f']
 array width[5] = [7, 3.5, 3.5, 3.5, 2.5]
 array dash[5] = [1, 1, 2, 1, 1]
 Q(shape, i, P) = strcol(1) eq shape && strcol(2) eq name[i] ? $6/P : NaN

@@ -29,16 +29,16 @@ do for [k = 1:2] {
     set title name[k] font ',24' offset 0,0.3
     set label 1 'q' at -0.62,0.62 center font ',24' front
     set label 2 'p' at -0.62,-0.62 center font ',24' front
-    set arrow 1 from -0.45,0.62 rto 1,0 linewidth 4 linecolor rgb '#009e73' front
-    set arrow 2 from (speed[k] < 0 ? 0.55 : -0.45),-0.62 rto speed[k],0 linewidth 4 linecolor rgb '#009e73' front
-    set label 3 'v^q' at 0.62,0.62 left textcolor rgb '#009e73' font ',22' front
-    set label 4 'v^p' at 0.62,-0.62 left textcolor rgb '#009e73' font ',22' front
+    set arrow 1 from -0.45,0.62 rto 1,0 linewidth 4 linecolor rgb '#7fbf9f' front
+    set arrow 2 from (speed[k] < 0 ? 0.55 : -0.45),-0.62 rto speed[k],0 linewidth 4 linecolor rgb '#7fbf9f' front
+    set label 3 'v^q' at 0.62,0.62 left textcolor rgb '#7fbf9f' font ',22' front
+    set label 4 'v^p' at 0.62,-0.62 left textcolor rgb '#7fbf9f' font ',22' front
     plot sample [-1.3:1.3] '+' using 1:(0.05 + gap($1)):(1) with filledcurves linecolor rgb '#e6eaed', \
         [-1.3:1.3] '+' using 1:(-0.05 - gap($1)):(-1) with filledcurves linecolor rgb '#e6eaed', \
         [-1.3:1.3] '+' using 1:(0.05 + gap($1)) with lines linewidth 3 linecolor rgb '#4d5560', \
         [-1.3:1.3] '+' using 1:(-0.05 - gap($1)) with lines linewidth 3 linecolor rgb '#4d5560', \
-        csv using 2:(here(k, $6 == 0 ? 0 : NaN)):(0.006):(0.05) with boxxyerror fillstyle solid noborder linecolor rgb '#d55e00', \
-        csv using 2:(here(k, $6 == 1 ? 0 : NaN)):(0.006):(0.05) with boxxyerror fillstyle solid noborder linecolor rgb '#9cc3e0'
+        csv using 2:(here(k, $6 == 0 ? 0 : NaN)):(0.006):(0.05) with boxxyerror fillstyle solid noborder linecolor rgb '#c75000', \
+        csv using 2:(here(k, $6 == 1 ? 0 : NaN)):(0.006):(0.05) with boxxyerror fillstyle solid noborder linecolor rgb '#c9ced4'
 
     set bmargin at screen 0.2
     set tmargin at screen 0.56
@@ -60,9 +60,9 @@ do for [k = 1:2] {
         set label 3 "material\nleaves" at 1.02,0.32 left font ',16'
     }
     plot csv using 2:(here(k, $6 == 1 ? $4/2 : NaN)):($2 - 0.005):($2 + 0.005):(0):4 with boxxyerror fillstyle pattern 4 noborder \
-            linecolor rgb '#0072b2', \
+            linecolor rgb '#42505e', \
         csv using 2:(here(k, $6 == 0 ? $4/2 : NaN)):($2 - 0.006):($2 + 0.006):(0):4 with boxxyerror fillstyle solid noborder \
-            linecolor rgb '#d55e00', \
+            linecolor rgb '#c75000', \
         csv using 2:(here(k, $3)) with lines linewidth 2 linecolor rgb '#888888', \
         csv using 2:(here(k, $4)) with lines linewidth 4 linecolor rgb '#222222'
 }
@@ -79,6 +79,6 @@ unset ylabel
 set key center center horizontal maxrows 2 reverse Left samplen 2 spacing 1.2
 plot [0:1] [0:1] NaN with lines linewidth 4 linecolor rgb '#222222' title 'traction, the same Q = 0.6 μP', \
     NaN with lines linewidth 2 linecolor rgb '#888888' title 'bound μp', \
-    NaN with boxes fillstyle pattern 4 noborder linecolor rgb '#0072b2' title 'stick', \
-    NaN with boxes fillstyle solid noborder linecolor rgb '#d55e00' title 'slip'
+    NaN with boxes fillstyle pattern 4 noborder linecolor rgb '#42505e' title 'stick', \
+    NaN with boxes fillstyle solid noborder linecolor rgb '#c75000' title 'slip'
 unset multiplot

@@ -4,7 +4,7 @@ set datafile separator ','
 set datafile missing NaN # rows of other curves do not break a line
 array mu[4] = [0.1, 0.1, 0.3, 0.3]
 array creepage[4] = [0.004, 0.001, 0.004, 0.001]
-array color[4] = ['#cc3311', '#ee9966', '#0072b2', '#66b8e0']
+array color[4] = ['#a3195b', '#d08aa8', '#7f4a90', '#c9a0d0']
 of(i, value) = $1 == mu[i] && $2 == creepage[i] ? value : NaN
 
 set multiplot layout 2,1 margins 0.105,0.985,0.215,0.985 spacing 0.04

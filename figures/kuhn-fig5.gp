@@ -2,7 +2,7 @@
 # Kuhn's Fig. 5a and 5b. Data: kuhn-fig5.sh.
 set datafile separator ','
 array ratio[8] = ['0', '1', '10', '30', '100', '300', '1000', 'inf']
-array color[8] = ['#000000', '#882255', '#cc3311', '#ee7733', '#ddaa00', '#009988', '#0077bb', '#999999']
+array color[8] = ['#000000', '#882255', '#a3195b', '#a89a00', '#a89a00', '#00714f', '#7f4a90', '#999999']
 array dash[8] = [1, 2, 1, 1, 1, 1, 1, 1]
 q(panel, i) = strcol(1) eq panel && strcol(2) eq ratio[i] ? column(5) : NaN
 

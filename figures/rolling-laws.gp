@@ -3,7 +3,7 @@
 set datafile separator ','
 array name[6] = ['wang-spring', 'conjugate-spring of bagi-kuhn', 'star-displacement-damping', 'star-displacement-damping with dashpot', \
     'star-constant-torque', 'star-force-proportional']
-array color[6] = ['#0072b2', '#f0a0d0', '#000000', '#009e73', '#d55e00', '#e69f00']
+array color[6] = ['#7f4a90', '#d08aa8', '#000000', '#7fbf9f', '#00714f', '#a89a00']
 # Where curves coincide, each is narrower than the one below it.
 array width[6] = [10, 5.5, 2.5, 2.5, 2.5, 2.5]
 array dash[6] = [1, 1, 2, 1, 1, 1]

@@ -29,7 +29,7 @@ do for [i = 1:2] {
     set bmargin at screen high - 0.41
     set lmargin at screen 0.01
     set rmargin at screen 0.49
-    set palette defined (-1 '#0b4f8a', -0.5 '#5e9ccb', 0 '#d5d8dc', 0.5 '#d9904a', 1 '#96480a')
+    set palette defined (-1 '#17603a', -0.5 '#6fa687', 0 '#d5d8dc', 0.5 '#a87bb4', 1 '#592769')
     set cbrange [-60/i:60/i]
     set cbtics (sprintf('−%d°', 60/i) -60/i, '0' 0, sprintf('+%d°', 60/i) 60/i)
     set cblabel 'rotation since the start'
@@ -38,7 +38,7 @@ do for [i = 1:2] {
     plot dir.'/mu_r-'.mu_r.'/disks.csv' skip 1 using 3:4:10:($5*180/pi) with circles linecolor palette
     set lmargin at screen 0.51
     set rmargin at screen 0.99
-    set palette defined (0 '#f7c331', 1 '#f49339', 2 '#de6258', 3 '#b23a80', 4 '#731f8e', 5 '#2a0e63')
+    set palette defined (0 '#c6d6e6', 1 '#6d9ac4', 2 '#00457c', 3 '#00203a')
     set cbrange [0:200/(4*i - 3)]
     set cbtics (0, 100/(4*i - 3), 200/(4*i - 3))
     set cblabel 'mean |V_r| of its contacts now [mm/s]'

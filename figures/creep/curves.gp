@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Means over the seeds with the 95 % interval of the mean. Variables: dir, seeds.
 set datafile separator ','
-array color[3] = ['#0072b2', '#d55e00', '#009e73']
+array color[3] = ['#7f4a90', '#00714f', '#7fbf9f']
 array name[3] = ['spring (no creep)', "creep, Wang's rolling", "creep, Kuhn's rolling"]
 array width[3] = [7, 4, 2]
 block(m, k) = 2*(k - 1) + m - 1 # of curves.csv: by friction, then by mu_r

@@ -23,7 +23,7 @@ do for [k = 1:4] {
     if (k > 2) { set xlabel 'change' offset 0,0.4 } else { unset xlabel }
     set object 1 rectangle from first -m, graph 0 to first m, graph 1 behind fillcolor rgb '#e4e8ec' fillstyle solid noborder
     set arrow 1 from 0, graph 0 to 0, graph 1 nohead linecolor '#404040'
-    plot csv using 5:(at(q)):($5 - $7):($5 + $7) with xerrorbars linewidth 1.5 pointtype 0 linecolor rgb '#0072b2', \
-        csv using 5:(at(q)):($5 - $6):($5 + $6) with xerrorbars linewidth 5 pointtype 7 pointsize 1.6 linecolor rgb '#0072b2'
+    plot csv using 5:(at(q)):($5 - $7):($5 + $7) with xerrorbars linewidth 1.5 pointtype 0 linecolor rgb '#7f4a90', \
+        csv using 5:(at(q)):($5 - $6):($5 + $6) with xerrorbars linewidth 5 pointtype 7 pointsize 1.6 linecolor rgb '#7f4a90'
 }
 unset multiplot

@@ -6,7 +6,7 @@ file(m, law) = dir.'/disks-'.word('large small', m).'-'.law.'/history.csv'
 cm = 'cattaneo-mindlin'
 creep = 'kuhn-creep'
 array name[2] = ['large contacts, a/R = 10 %', 'small contacts, 0.74 %']
-array color[2] = ['#0072b2', '#d55e00']
+array color[2] = ['#7f4a90', '#00714f']
 set multiplot layout 2,2 columnsfirst title caption font ',16' margins 0.11,0.985,0.1,0.93 spacing 0.13,0.04
 set xrange [0:50]
 set key top right samplen 2 spacing 1.05 opaque font ',16'

@@ -25,7 +25,7 @@ unset border
 unset xtics
 unset ytics
 set style fill solid 1 noborder
-set palette defined (0 '#f7c331', 1 '#f49339', 2 '#de6258', 3 '#b23a80', 4 '#731f8e', 5 '#2a0e63') # that of the frames
+set palette defined (0 '#d9cbdd', 1 '#b08bbb', 2 '#7f4a90', 3 '#3f1250') # that of the frames
 set size ratio -1
 half = 0.5*(H[at(1, 0)] > H[at(2, 0)] ? H[at(1, 0)] : H[at(2, 0)]) + 1 # one scale: that of the highest cell
 set yrange [-half:half]

@@ -4,7 +4,7 @@
 set datafile separator ','
 set datafile columnheaders
 array name[5] = ['coulomb-spring', 'cattaneo-mindlin', 'vu-quoc-zhang', 'kuhn-creep', 'dahlberg-alfredsson']
-array color[5] = ['#999999', '#ee7733', '#009e73', '#0072b2', '#cc3311']
+array color[5] = ['#999999', '#a89a00', '#7fbf9f', '#7f4a90', '#a3195b']
 errors = dir.'/replay-errors.csv'
 stress = dir.'/replay-stress.csv'
 is(what, by, i) = strcol(1) eq what && strcol(2) eq name[i] && strcol(3) eq by

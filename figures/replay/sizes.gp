@@ -2,7 +2,7 @@
 # Does the ranking of the friction laws depend on the size of the contact? Errors on the paths of three runs. dir: of replay.sh.
 set datafile separator ','
 array name[5] = ['coulomb-spring', 'cattaneo-mindlin', 'vu-quoc-zhang', 'kuhn-creep', 'dahlberg-alfredsson']
-array color[5] = ['#999999', '#ee7733', '#009e73', '#0072b2', '#cc3311']
+array color[5] = ['#999999', '#a89a00', '#7fbf9f', '#7f4a90', '#a3195b']
 array run[3] = ['small', 'walled', 'large']
 x(n, i) = n + 0.16*(i - 3)
 least = 1e-4 # what is below it is drawn there

@@ -6,7 +6,7 @@ set datafile separator ','
 names(n, where) = system("awk -F, 'NR > 1 && ".where." && !seen[$".n."]++ {gsub(/ /, \"~\", $".n."); print $".n."}' ".csv)
 of(c, series, where) = sprintf("< awk -F, '$1 == \"%s\" && $2 == \"%s\" && $5 != \"\" && %s' %s", c, series, where, csv)
 plain(name) = system("echo '".name."' | tr '~' ' '")
-array color[8] = ['#000000', '#d55e00', '#0072b2', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#999999']
+array color[8] = ['#000000', '#00714f', '#7f4a90', '#7fbf9f', '#d08aa8', '#a89a00', '#c9a0d0', '#999999']
 array mark[8] = [7, 6, 8, 4, 12, 5, 10, 2]
 color_of(i) = color[(i - 1)%8 + 1] # a ninth series has the first color again, with another mark
 mark_of(i) = mark[(i - 1 + (i - 1)/8)%8 + 1]
@@ -48,12 +48,12 @@ do for [k = 1:2] {
     set xlabel "error at the default step [1]\n(dotted: 10^{-3})"
     set arrow 1 from 1e-3, graph 0 to 1e-3, graph 1 nohead dashtype 3 linecolor '#606060'
     set format y '%s'
-    plot table using 3:1:ytic(2) with points pointtype 7 linecolor rgb '#0072b2'
+    plot table using 3:1:ytic(2) with points pointtype 7 linecolor rgb '#7f4a90'
     unset arrow 1
     set format y ''
     set xlabel "wall time to an error of 10^{-3} [s]\n(open: at most; none: not reached)"
-    plot table using 4:1:5:6 with xerrorbars pointtype 7 linecolor rgb '#d55e00', \
-         table using 7:1 with points pointtype 6 linecolor rgb '#d55e00'
+    plot table using 4:1:5:6 with xerrorbars pointtype 7 linecolor rgb '#00714f', \
+         table using 7:1 with points pointtype 6 linecolor rgb '#00714f'
     unset multiplot
     set yrange [*:*]
     set ytics scale default autofreq

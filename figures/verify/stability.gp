@@ -27,8 +27,8 @@ set ylabel 'growth of energy per step' offset 1
 set key top left reverse Left samplen 2 spacing 1.2
 set samples 801
 plot worst(x) with lines linewidth 3 linecolor rgb '#000000' title '(f + √(f² − 1))⁴, f = dt/limit', \
-    csv using 4:(of('undamped', $5)) with points pointtype 7 pointsize 0.9 linecolor rgb '#0072b2' title 'no dashpots', \
-    csv using 4:(of('damped', $5)) with points pointtype 6 pointsize 0.9 linewidth 1.5 linecolor rgb '#cc3311' title 'damping ratio 0 to 1'
+    csv using 4:(of('undamped', $5)) with points pointtype 7 pointsize 0.9 linecolor rgb '#7f4a90' title 'no dashpots', \
+    csv using 4:(of('damped', $5)) with points pointtype 6 pointsize 0.9 linewidth 1.5 linecolor rgb '#a3195b' title 'damping ratio 0 to 1'
 
 unset logscale y
 set tmargin at screen 0.33
@@ -42,5 +42,5 @@ unset key
 width = 0.025
 bin(x) = width*(floor(x/width - 1e-6) + 0.5)
 set boxwidth width
-plot csv using (bin(of('bound', $4))):(1.0) smooth frequency with boxes fillstyle solid 0.6 linecolor rgb '#009e73'
+plot csv using (bin(of('bound', $4))):(1.0) smooth frequency with boxes fillstyle solid 0.6 linecolor rgb '#7fbf9f'
 unset multiplot

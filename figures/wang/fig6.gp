@@ -21,7 +21,7 @@ set yrange [-7:5]
 set key default
 set key bottom right samplen 1.5
 plot 0 with lines linewidth 1.5 linecolor rgb '#000000' notitle, \
-    -4 with lines dashtype 3 linewidth 3 linecolor rgb '#cc3311' title 'the paper: model 2 about 4 % lower', \
+    -4 with lines dashtype 3 linewidth 3 linecolor rgb '#a3195b' title 'the paper: model 2 about 4 % lower', \
     for [m = 2:4] csv using ($1 + aside(m)):(pick(m, 'e_residual', wang, 100*$6/e_wang)):(100*$8/e_wang):(100*$9/e_wang) \
     with yerrorbars linewidth 2 pointtype mark[m] pointsize 1.2 linecolor rgb color[m] notitle
 unset multiplot

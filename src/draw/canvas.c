@@ -9,6 +9,7 @@
 #include "base/vector.h"
 #include "draw/font.h"
 #include "draw/pen.h"
+#include "draw/say.h"
 #include <assert.h>
 #include <errno.h>
 #include <isa-l/igzip_lib.h>
@@ -41,6 +42,10 @@ static tr_canvas *on(cairo_surface_t *surface, const tr_canvas *like, tr_status 
     if (sound(canvas, st) && tr_font_give(canvas->cr, like ? like->cr : NULL, st)) return canvas;
     tr_canvas_free(canvas);
     return NULL;
+}
+
+void tr_canvas_speak(tr_canvas *canvas, int language) {
+    tr_say_in(canvas->cr, (tr_language)language);
 }
 
 tr_canvas *tr_canvas_create(tr_status *st) {

@@ -8,9 +8,12 @@
 /* NULL and TR_FILE when memory is short. Free with tr_canvas_free (NULL is allowed). */
 tr_canvas *tr_canvas_create(tr_status *st);
 
-/* A canvas without pixels that only records strokes, in a tenth of the time of drawing. A replay gives the same pixels
- * as drawing, later and in any thread; the data of the view may be gone by then. It serves for one picture, and only
- * for replay. like: the canvas before, whose letters it takes, or NULL. */
+/* The language of the words to come, in the order of the choices of the scene's `language:`; English before. */
+void tr_canvas_speak(tr_canvas *canvas, int language);
+
+/* A canvas without pixels, which only keeps the strokes: a tenth of the time of drawing. To replay gives the pixels
+ * that drawing would have given, later and by any thread: what the view pointed to may be gone. It is for one picture,
+ * and for nothing but to be replayed. like: the canvas before, or NULL; it takes the letters of that. */
 tr_canvas *tr_canvas_record(const tr_canvas *like, tr_status *st);
 bool tr_canvas_replay(tr_canvas *canvas, const tr_canvas *strokes, tr_status *st);
 void tr_canvas_free(tr_canvas *canvas);

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Pictures of a world: frames of 1280 x 720 drawn off-screen, saved as PNG or sent to a film.
  *
- * A canvas may be drawn over. It draws a tr_view or a tr_show and reads nothing else. The same view gives the same
- * pixels. In all strings `_` lowers the next character: "V_s". */
+ * A canvas may be drawn over. What to draw is a tr_view or a tr_show; nothing is read from
+ * anywhere else, and the same view gives the same pixels. In all strings `_` lowers
+ * the letters and digits behind it, or one other character: "V_s", "R_eq". */
 #ifndef TR_DRAW_H
 #define TR_DRAW_H
 
@@ -45,16 +46,17 @@ typedef struct tr_canvas tr_canvas;
 
 /* ---- films of a few bodies ---- */
 
-/* Values that a contact must have, as the class is told. NaN: not told. A definition of V_s (V_r) whose value is
- * off by more than 1 % of the range of the bars is marked as wrong. */
-typedef struct tr_expect {
-    int a, b;        /* as in tr_record */
-    double v_s, v_r; /* [m/s] */
-} tr_expect;
+/* What a contact has left on the surface of a body. On a disk: angles that turn with it [rad]; on a wall: places along
+ * (n_y, -n_x) from its own point [m]. */
+typedef struct tr_rim_mark {
+    int body;        /* disk, or -1-w for wall w */
+    double from, to; /* rubbed from..to; a tick is at `to` */
+    int number;      /* of the tick; 0: rubbed */
+} tr_rim_mark;
 
 /* One number of the table of checks, as text. */
 typedef struct tr_show_check {
-    char group[48], what[48], measured[40], exact[40]; /* group: of neighbours in the table; "": none */
+    char group[48], what[80], measured[40], exact[40]; /* group: of neighbours in the table; "": none */
     bool ok;
 } tr_show_check;
 
@@ -72,8 +74,8 @@ typedef struct tr_show_lane {
     const double *trace; /* path of the contact points so far: x, y, in the plane before turning; NaN, NaN lifts
                               the pen [m] */
     int n_trace;         /* points */
-    const tr_expect *expect;
-    int n_expect;
+    const tr_rim_mark *mark;
+    int n_marks;
     const tr_patch_state *inset; /* the inside of the contact inset_a, inset_b (as in tr_record); NULL: none */
     const tr_patch_pair *inset_pair;
     int inset_a, inset_b;
@@ -82,6 +84,7 @@ typedef struct tr_show_lane {
 /* Curves over time, one or two a lane: beside the bars or, with several lanes, instead of them. */
 typedef struct tr_chart {
     const char *name[2];                  /* of the curves of a lane: "V_s", "V_r", or "speed", NULL */
+    unsigned hue[2];                      /* of the curves: what they mean */
     const char *unit;                     /* SI: "m/s", "1" */
     double top, bottom;                   /* range of values over the whole film */
     int n;                                /* points so far */
@@ -91,6 +94,7 @@ typedef struct tr_chart {
 } tr_chart;
 
 typedef struct tr_show {
+    bool expert;                  /* the table of all definitions; else what a class reads: three numbers, large */
     const char *title, *equation; /* NULL: none. equation: with its Wang number, "Δa = −Δb   [Wang eq. 2]" */
     double time, time_end;        /* [s] */
     double slower;                /* film time / time of the motion; 1: as it is */

@@ -83,24 +83,31 @@ double tr_frame_head(cairo_t *cr, const tr_head *head) {
     return y + 24;
 }
 
-void tr_frame_color_bar(cairo_t *cr, const char *name, double range, const tr_unit *unit, bool diverging, double y) {
-    tr_unit shown = *unit;
-    double low = diverging ? -range : 0, middle = range / 2 / unit->size;
+tr_ramp tr_frame_ramp(tr_color color) {
+    return color == TR_COLOR_ROLLING                             ? TR_RAMP_ROLLING
+           : color == TR_COLOR_SLIDING || color == TR_COLOR_SLIP ? TR_RAMP_SLIDING
+                                                                 : TR_RAMP_PLAIN;
+}
+
+void tr_frame_color_bar(cairo_t *cr, const tr_scale *scale, double y) {
+    tr_unit shown = *scale->unit;
+    double range = scale->range, low = scale->diverging ? -range : 0, middle = range / 2 / shown.size;
     char label[96], number[32];
-    snprintf(label, sizeof label, "%s%s%s%s", name, *unit->name ? "  [" : "", unit->name, *unit->name ? "]" : "");
+    snprintf(label, sizeof label, "%s%s%s%s", scale->name, *shown.name ? "  [" : "", shown.name,
+             *shown.name ? "]" : "");
     tr_pen_text(cr, (tr_text){.x = TR_PANEL_X, .y = y, .size = 24, .room = TR_PANEL_W}, label);
     cairo_pattern_t *ramp = cairo_pattern_create_linear(TR_PANEL_X, 0, TR_PANEL_X + TR_PANEL_W, 0);
     for (int i = 0; i <= 40; i++) {
-        tr_rgb c = diverging ? tr_palette_diverging(i / 20.0 - 1) : tr_palette_sequential(i / 40.0);
+        tr_rgb c = scale->diverging ? tr_palette_diverging(i / 20.0 - 1) : tr_palette_ramp(scale->ramp, i / 40.0);
         cairo_pattern_add_color_stop_rgb(ramp, i / 40.0, c.r, c.g, c.b);
     }
     cairo_rectangle(cr, TR_PANEL_X, y + 16, TR_PANEL_W, 28);
     cairo_set_source(cr, ramp);
     cairo_fill(cr);
     cairo_pattern_destroy(ramp);
-    shown.decimals = !diverging && fabs(middle - nearbyint(middle)) > 1e-3; /* the range is a round number */
+    shown.decimals = !scale->diverging && fabs(middle - nearbyint(middle)) > 1e-3; /* the range is a round number */
     for (int i = 0; i <= 2; i++) {
-        tr_frame_number(number, sizeof number, low + i * (range - low) / 2, &shown, diverging);
+        tr_frame_number(number, sizeof number, low + i * (range - low) / 2, &shown, scale->diverging);
         tr_pen_text(cr,
                     (tr_text){.x = TR_PANEL_X + i * TR_PANEL_W / 2.0, .y = y + 70, .size = 24, .align = (tr_align)i},
                     number);

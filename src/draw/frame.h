@@ -51,9 +51,20 @@ typedef struct tr_head {
 /* White ground, title, side panel. Returns its first free line [px]. */
 double tr_frame_head(cairo_t *cr, const tr_head *head);
 
-/* The sequential palette from 0 to range, or the diverging one from -range, in the panel; y: base line of its label
- * [px]. */
-void tr_frame_color_bar(cairo_t *cr, const char *name, double range, const tr_unit *unit, bool diverging, double y);
+/* What the colours of a bar are: a ramp from 0 to range, or the diverging palette from -range. */
+typedef struct tr_scale {
+    const char *name;
+    double range;
+    const tr_unit *unit;
+    tr_ramp ramp;
+    bool diverging;
+} tr_scale;
+
+/* In the panel; y: base line of its label [px]. */
+void tr_frame_color_bar(cairo_t *cr, const tr_scale *scale, double y);
+
+/* Of a field of contacts. */
+tr_ramp tr_frame_ramp(tr_color color);
 
 /* The time, with one digit more than its end needs. */
 void tr_frame_time(char *text, size_t size, double time, double time_end);

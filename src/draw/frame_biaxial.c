@@ -97,7 +97,7 @@ static void draw_field(cairo_t *cr, const tr_view *view, const tr_map *map, doub
             if (color == c && tr_frame_seen(p, r)) add_disk(cr, p, r);
         }
         double u = (c + 0.5) / N_COLORS;
-        tr_pen_rgb(cr, diverging ? tr_palette_diverging(2 * u - 1) : tr_palette_sequential(u));
+        tr_pen_rgb(cr, diverging ? tr_palette_diverging(2 * u - 1) : tr_palette_ramp(tr_frame_ramp(view->color), u));
         cairo_fill(cr);
     }
 }
@@ -148,7 +148,8 @@ static void draw_contacts(cairo_t *cr, const tr_view *view, const tr_map *map, d
             cairo_line_to(cr, p.x + ey, p.y - ex);
             cairo_close_path(cr);
         }
-        tr_pen_rgb(cr, slip ? tr_palette_hue(TR_FORCE) : tr_palette_sequential((c + 0.5) / N_COLORS));
+        tr_pen_rgb(cr,
+                   slip ? tr_palette_hue(TR_FORCE) : tr_palette_ramp(tr_frame_ramp(view->color), (c + 0.5) / N_COLORS));
         cairo_fill(cr);
     }
     if (slip) tr_frame_slip(cr, view, map, mean);
@@ -201,7 +202,7 @@ static void draw_walls(cairo_t *cr, const tr_view *view, const tr_map *map) {
         bool loaded = wall[w].mass > 0, driven = !loaded && (wall[w].vx != 0 || wall[w].vy != 0 || gain != 0);
         int n = loaded ? 7 : driven ? 1 : 0;
         double inward = loaded || wall[w].vx * wall[w].nx + wall[w].vy * wall[w].ny + gain > 0 ? 1 : -1;
-        tr_pen_hue(cr, loaded ? TR_BLUE : TR_VERMILLION);
+        tr_pen_hue(cr, loaded ? TR_FAINT : TR_INK);
         for (int k = 0; k < n; k++) {
             double f = (k + 0.5) / n, length = loaded ? 26 : 40, near = bar + 4, far = near + length;
             tr_point at = {p.x + f * (q.x - p.x), p.y + f * (q.y - p.y)};
@@ -226,7 +227,7 @@ static void draw_color_bar(cairo_t *cr, const tr_view *view, double range, doubl
     if (view->color == TR_COLOR_SLIP) /* of disks too small for bars across their contacts */
         tr_pen_text(cr, (tr_text){.x = TR_PANEL_X, .y = y - 34, .size = 22, .room = TR_PANEL_W, .hue = TR_FAINT},
                     tr_frame_slip_limit(view));
-    tr_frame_color_bar(cr, label, range, &unit, spin, y);
+    tr_frame_color_bar(cr, &(tr_scale){label, range, &unit, tr_frame_ramp(view->color), spin}, y);
 }
 
 static void draw_width_key(cairo_t *cr, tr_shape shape, double mean, double width, double y) {

@@ -141,7 +141,8 @@ static void draw_key(cairo_t *cr, double slip_range) {
     tr_pen_hue(cr, TR_INK);
     tr_pen_arrow(cr, (tr_point){x + 8, middle[3]}, (tr_point){x + 40, middle[3]}, 3);
     tr_unit unit = tr_frame_unit(slip_range, "m");
-    if (slip_range > 0) tr_frame_color_bar(cr, "slip in this step", slip_range, &unit, false, y);
+    if (slip_range > 0)
+        tr_frame_color_bar(cr, &(tr_scale){"slip in this step", slip_range, &unit, TR_RAMP_SLIDING, false}, y);
 }
 
 static double draw_head(cairo_t *cr, const tr_patch_view *view) {

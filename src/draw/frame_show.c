@@ -11,16 +11,26 @@
 #include "draw/field.h"
 #include "draw/patch_plot.h"
 #include "draw/show.h"
-#include "draw/show_bar.h"
 #include "draw/show_chart.h"
+#include "draw/show_class.h"
+#include "draw/show_marks.h"
 #include "draw/show_panel.h"
 #include "draw/show_stage.h"
 #include "draw/stage.h"
+#include "draw/say.h"
 
 #include <math.h>
 #include <stdio.h>
 
-enum { GAP = 14, LINE_H = 30, PAIR_H = 52, INSET_W = 240, INSET_H = 186, CHART_H = 178, BELOW_FLOOR = 36 };
+enum {
+    GAP = 14,
+    LINE_H = 30,
+    PAIR_H = TR_CLASS_PAIR_H,
+    INSET_W = 240,
+    INSET_H = 186,
+    CHART_H = 178,
+    BELOW_FLOOR = TR_MARKS_DEPTH + 32
+};
 
 /* Where the lanes go. */
 typedef struct tr_grid {
@@ -96,7 +106,7 @@ static tr_grid lay_grid(cairo_t *cr, const tr_show *show, tr_box box) {
         for (int i = 0; i < show->n_lanes; i++) {
             const char *label = show->lane[i].label;
             double room = cell_of(&grid, show, i).label.w - 26; /* beside the marker */
-            if (label && tr_pen_width(cr, (tr_text){.size = 20, .bold = true}, label) > room) grid.lines = 2;
+            if (label && tr_pen_width(cr, (tr_text){.size = 24, .bold = true}, label) > room) grid.lines = 2;
         }
         grid.scale = scale_of(&grid, show);
         if (grid.scale > best.scale) best = grid;
@@ -118,7 +128,7 @@ static void draw_inset(const tr_stage *s, tr_box box) {
         tr_pen_line(s->cr, p, to, 1.5);
     }
     tr_pen_text(s->cr, (tr_text){.x = box.x, .y = box.y + 18, .size = 18, .room = box.w},
-                "inside the contact, enlarged");
+                TR_SAY(s->cr, inside_enlarged));
     tr_draw_patch_inset(s->cr, box.x, box.y + 24, box.w, box.h - 24, lane->inset, lane->inset_pair);
 }
 
@@ -133,13 +143,14 @@ static tr_stage draw_lane(cairo_t *cr, const tr_show *show, const tr_grid *grid,
     cairo_set_line_width(cr, 2);
     cairo_rectangle(cr, frame.x, frame.y, frame.w, frame.h);
     cairo_stroke(cr);
-    tr_text at = {.x = cell.label.x, .y = cell.label.y + 24, .size = 22, .bold = true, .room = cell.label.w};
+    tr_text at = {.x = cell.label.x, .y = cell.label.y + 24, .size = 24, .bold = true, .room = cell.label.w};
     if (show->chart) {
-        tr_lane_marker(cr, (tr_point){at.x + 9, at.y - 8}, 9, show->n_lanes, i);
-        at.x += 26, at.room -= 26, at.hue = tr_lane_hue(show->n_lanes, i);
+        tr_pen_hue(cr, TR_INK);
+        tr_lane_marker(cr, (tr_point){at.x + 9, at.y - 8}, 9, i);
+        at.x += 26, at.room -= 26;
     }
     if (lane->label) tr_pen_paragraph(cr, at, grid->lines, lane->label, true);
-    tr_panel_pair(cr, cell.pair, lane, range);
+    tr_class_pair(cr, cell.pair, lane, range);
     if (cell.inset.h > 0 && lane->inset && lane->inset_pair) draw_inset(&stage, cell.inset);
     return stage;
 }
@@ -148,55 +159,87 @@ static tr_stage draw_lane(cairo_t *cr, const tr_show *show, const tr_grid *grid,
 static void draw_panel(const tr_show *show, const tr_stage *stage, tr_box box) {
     cairo_t *cr = stage->cr;
     const bool one = show->n_lanes == 1, inset = one && stage->lane->inset && stage->lane->inset_pair;
-    double checks = fmin(tr_panel_checks_height(show->check, show->n_checks), 0.7 * box.h),
-           inside = inset ? INSET_H + GAP : 0;
-    if (checks > 0) tr_panel_checks(cr, (tr_box){box.x, box.y, box.w, checks}, show->check, show->n_checks);
+    double checks = show->expert ? fmin(tr_panel_checks_height(show->check, show->n_checks), 0.7 * box.h)
+                                 : tr_class_checks_height(show->check, show->n_checks);
+    double inside = inset ? INSET_H + GAP : 0;
+    if (checks > 0)
+        (show->expert ? tr_panel_checks : tr_class_checks)(cr, (tr_box){box.x, box.y, box.w, checks}, show->check,
+                                                           show->n_checks);
     box.y += checks, box.h -= checks;
     double bars = box.h - inside - (show->chart ? CHART_H : 0);
-    if (show->chart) bars = fmin(bars, 0.62 * box.h);
-    if (one && tr_panel_bars(cr, (tr_box){box.x, box.y, box.w, bars}, stage->lane, stage->range))
+    if (one && !show->expert) {
+        bars = tr_class_panel(cr, (tr_box){box.x, box.y, box.w, bars}, stage->lane, stage->range);
         box.y += bars, box.h -= bars;
+    } else if (one) {
+        if (show->chart) bars = fmin(bars, 0.62 * box.h);
+        bool drawn = tr_panel_bars(cr, (tr_box){box.x, box.y, box.w, bars}, stage->lane, stage->range);
+        if (drawn) box.y += bars, box.h -= bars;
+    }
     if (inset) draw_inset(stage, (tr_box){box.x, box.y + GAP, box.w, INSET_H});
     box.y += inside, box.h -= inside;
     if (show->chart && box.h > 0.75 * CHART_H) /* less than that is a legend without curves */
         tr_show_chart(cr, (tr_box){box.x, box.y + 6, box.w, box.h - 6}, show);
 }
 
-static void draw_footer(cairo_t *cr, const tr_show *show, double scale, double y) {
-    double x = scale > 0 ? tr_frame_scale_bar(cr, scale, y) + 40 : TR_EDGE;
-    bool trace = false;
-    for (int i = 0; i < show->n_lanes; i++) trace |= show->lane[i].trace && show->lane[i].n_trace > 0;
-    x += tr_pen_text(cr, (tr_text){.x = x, .y = y, .size = 20, .hue = TR_GREEN}, "velocity →") + 20;
-    x += tr_pen_text(cr, (tr_text){.x = x, .y = y, .size = 20, .hue = TR_PURPLE}, "spin ↺") + 20;
-    if (show->n_lanes > 1) { /* one lane has them in its panel */
-        x += tr_pen_text(cr, (tr_text){.x = x, .y = y, .size = 20}, "rolled") + 8;
-        x += tr_pen_text(cr, (tr_text){.x = x, .y = y, .size = 20, .bold = true, .hue = TR_BLUE}, "Δa") + 8;
-        x += tr_pen_text(cr, (tr_text){.x = x, .y = y, .size = 20, .bold = true, .hue = TR_VERMILLION}, "Δb") + 20;
+/* Below the pictures: what arrows, lines and marks are, as many as there is room for. A class has no scale bar, whose
+ * number nobody needs. */
+static void draw_legend(cairo_t *cr, const tr_show *show, double x, double end, double y) {
+    bool trace = false, rubbed = false, meshed = false,
+         arcs = show->n_lanes > 1 && show->expert; /* one: in its panel */
+    for (int i = 0; i < show->n_lanes; i++) {
+        trace |= show->lane[i].trace && show->lane[i].n_trace > 0;
+        for (int k = 0; k < show->lane[i].n_marks; k++) *(show->lane[i].mark[k].number ? &meshed : &rubbed) = true;
     }
-    if (trace) {
+    const struct {
+        bool is;
+        const char *text;
+        unsigned hue;
+        bool bold;
+    } item[] = {{rubbed, TR_SAY(cr, rubbed), TR_SLIDES, true},
+                {meshed, TR_SAY(cr, meshed), TR_ROLLS, true},
+                {true, TR_SAY(cr, velocity), TR_GREEN, false},
+                {true, TR_SAY(cr, spin), TR_PURPLE, false},
+                {arcs, "Δa", TR_ARC_A, true},
+                {arcs, "Δb", TR_ARC_B, true},
+                {trace, TR_SAY(cr, way_of_contact), 0, false}};
+    for (int i = 0; i < (int)(sizeof item / sizeof *item); i++) {
+        tr_text at = {
+            .x = x, .y = y, .size = show->expert ? 20 : TR_CLASS_TYPE, .hue = item[i].hue, .bold = item[i].bold};
+        const double dots = item[i].hue ? 0 : 46;
+        if (!item[i].is || x + dots + tr_pen_width(cr, at, item[i].text) > end) continue;
         tr_pen_hue(cr, TR_WALL);
-        for (int k = 0; k < 6; k++) tr_pen_dot(cr, (tr_point){x + 2 + 7 * k, y - 6}, 1.75);
-        tr_pen_text(cr, (tr_text){.x = x + 46, .y = y, .size = 20}, "way of the contact");
+        for (int k = 0; k < 6 && dots > 0; k++) tr_pen_dot(cr, (tr_point){x + 2 + 7 * k, y - 6}, 1.75);
+        at.x += dots;
+        x += dots + tr_pen_text(cr, at, item[i].text) + 24;
     }
-    double slower = show->slower, factor = slower > 1 ? slower : 1 / slower;
-    if (!(factor > 1.005) || !isfinite(factor)) return;
-    char text[64];
-    snprintf(text, sizeof text, factor < 100 ? "shown %.2g times %s" : "shown %.0f times %s", factor,
-             slower > 1 ? "slower" : "faster");
-    tr_pen_text(cr, (tr_text){.x = TR_PANEL_X + TR_PANEL_W, .y = y, .size = 20, .align = TR_RIGHT, .room = TR_PANEL_W},
-                text);
+}
+
+static void draw_footer(cairo_t *cr, const tr_show *show, double scale, double y) {
+    double x = show->expert && scale > 0 ? tr_frame_scale_bar(cr, scale, y) + 40 : TR_EDGE;
+    double slower = show->slower, factor = slower > 1 ? slower : 1 / slower, end = TR_PANEL_X + TR_PANEL_W;
+    if (factor > 1.005 && isfinite(factor)) {
+        char number[32], text[96];
+        snprintf(number, sizeof number, factor < 100 ? "%.2g" : "%.0f", factor);
+        tr_words_fill(text, sizeof text, slower > 1 ? TR_SAY(cr, slower) : TR_SAY(cr, faster), number, "");
+        tr_text at = {.x = end, .y = y, .size = show->expert ? 20 : TR_CLASS_TYPE, .align = TR_RIGHT};
+        end -= tr_pen_text(cr, at, text) + 24;
+    }
+    draw_legend(cr, show, x, end, y);
 }
 
 /* Returns its lower end. */
 static double draw_header(cairo_t *cr, const tr_show *show) {
     char time[64];
     tr_frame_time(time, sizeof time, show->time, show->time_end);
-    tr_frame_head(cr, &(tr_head){.title = show->title, .label = "time", .value = time});
+    tr_head head = {
+        .title = show->title, .label = show->expert ? TR_SAY(cr, time) : "", .value = show->expert ? time : ""};
+    tr_frame_head(cr, &head);
+    if (!show->expert) tr_class_time(cr, show->time, show->time_end);
     double y = TR_EDGE + 48;
     if (!show->equation) return y;
-    tr_pen_text(cr, (tr_text){.x = TR_EDGE, .y = y + 24, .size = 30, .room = TR_FRAME_WIDTH - 2 * TR_EDGE},
-                show->equation);
-    return y + 44;
+    tr_text at = {.x = TR_EDGE, .y = y + 26, .size = show->expert ? 30 : 34, .room = TR_FRAME_WIDTH - 2 * TR_EDGE};
+    tr_pen_text(cr, at, show->equation); /* of a class its indices are as large as the smallest type */
+    return y + 46;
 }
 
 void tr_draw_show(tr_canvas *canvas, const tr_show *given) {

@@ -58,7 +58,7 @@ void tr_frame_slip(cairo_t *cr, const tr_view *view, const tr_map *map, double m
     }
     for (int slips = 0; slips < 2; slips++) {
         add_bars(cr, view, map, mean, slips, thick);
-        tr_pen_hue(cr, slips ? TR_SLIPS : TR_STICKS);
+        tr_pen_hue(cr, slips ? TR_SLIDES : TR_STICKS);
         cairo_fill(cr);
     }
 }
@@ -76,7 +76,7 @@ void tr_frame_slip_key(cairo_t *cr, const tr_view *view, double y) {
     static const struct {
         const char *name;
         tr_hue hue;
-    } part[] = {{"sticks", TR_STICKS}, {"slips", TR_SLIPS}};
+    } part[] = {{"sticks", TR_STICKS}, {"slips", TR_SLIDES}};
     tr_pen_text(cr, (tr_text){.x = TR_PANEL_X, .y = y, .size = 24, .room = TR_PANEL_W}, "width of each contact");
     for (int i = 0; i < 2; i++) {
         double x = TR_PANEL_X + i * TR_PANEL_W / 2.0;

@@ -2,8 +2,11 @@
 /* Each palette is a few anchor colours, evenly spaced and interpolated straight in sRGB. */
 #include "draw/palette.h"
 
-static const unsigned sequential[] = {0xF7C331, 0xF49339, 0xDE6258, 0xB23A80, 0x731F8E, 0x2A0E63};
-static const unsigned below[] = {0xD5D8DC, 0x5E9CCB, 0x0B4F8A}, above[] = {0xD5D8DC, 0xD9904A, 0x96480A};
+enum { N = 4 };
+static const unsigned ramps[][N] = {[TR_RAMP_PLAIN] = {0xD9CBDD, 0xB08BBB, 0x7F4A90, 0x3F1250},
+                                    [TR_RAMP_SLIDING] = {0xF3D3BC, 0xE39A66, TR_SLIDES, 0x662900},
+                                    [TR_RAMP_ROLLING] = {0xC6D6E6, 0x6D9AC4, TR_ROLLS, 0x00203A}};
+static const unsigned below[] = {0xD5D8DC, 0x6FA687, 0x17603A}, above[] = {0xD5D8DC, 0xA87BB4, 0x592769};
 
 tr_rgb tr_palette_hue(unsigned hue) {
     return (tr_rgb){(hue >> 16 & 255) / 255.0, (hue >> 8 & 255) / 255.0, (hue & 255) / 255.0};
@@ -18,8 +21,8 @@ static tr_rgb interpolate(const unsigned *anchor, int n, double u) {
     return (tr_rgb){p.r + w * (q.r - p.r), p.g + w * (q.g - p.g), p.b + w * (q.b - p.b)};
 }
 
-tr_rgb tr_palette_sequential(double u) {
-    return interpolate(sequential, sizeof sequential / sizeof *sequential, u);
+tr_rgb tr_palette_ramp(tr_ramp ramp, double u) {
+    return interpolate(ramps[ramp], N, u);
 }
 
 tr_rgb tr_palette_diverging(double u) {

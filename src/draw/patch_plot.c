@@ -59,7 +59,7 @@ static void fill_zones(const tr_patch_plot *p, bool band, double top, double bot
             cairo_rectangle(cr, x, fmin(from, to), 1, fabs(to - from));
             if (stick) continue;
             double slip = fabs(p->state->slip[i]);
-            tr_pen_rgb(cr, tr_palette_sequential(p->slip_range > 0 ? slip / p->slip_range : 0));
+            tr_pen_rgb(cr, tr_palette_ramp(TR_RAMP_SLIDING, p->slip_range > 0 ? slip / p->slip_range : 0));
             cairo_fill(cr);
         }
     }
@@ -177,7 +177,7 @@ static void draw_scale(const tr_patch_plot *p, double x, double y, double width)
         x + box + 8 + tr_pen_text(p->cr, (tr_text){.x = x + box + 8, .y = y, .size = p->text}, "stick") + p->text;
     for (int k = 0; p->slip_range > 0 && k < (int)ramp; k++) {
         cairo_rectangle(p->cr, nearbyint(at) + k, y - high, 1, high);
-        tr_pen_rgb(p->cr, tr_palette_sequential(k / ramp));
+        tr_pen_rgb(p->cr, tr_palette_ramp(TR_RAMP_SLIDING, k / ramp));
         cairo_fill(p->cr);
     }
     if (p->slip_range > 0) {

@@ -43,6 +43,12 @@ static size_t character_bytes(const char *s) {
     return n;
 }
 
+/* A word of ASCII letters and digits is lowered as a whole, "R_eq"; of what else there is, one character. */
+static size_t lowered_bytes(const char *s) {
+    size_t n = strspn(s, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789");
+    return n ? n : character_bytes(s);
+}
+
 typedef enum tr_ink { INK_NONE, INK_RIM, INK_FULL } tr_ink;
 
 /* Walks the runs of plain and lowered text; draws them when asked. Returns the width. */
@@ -51,7 +57,7 @@ static double set_text(cairo_t *cr, double x, double y, double size, const char 
     while (*text) {
         bool low = *text == '_' && text[1];
         if (low) text++;
-        size_t n = low ? character_bytes(text) : 1 + strcspn(text + 1, "_");
+        size_t n = low ? lowered_bytes(text) : 1 + strcspn(text + 1, "_");
         char run[128];
         if (n >= sizeof run) {
             n = sizeof run - 1;
@@ -146,7 +152,7 @@ void tr_pen_verdict(cairo_t *cr, tr_point at, double size, bool right) {
     static const double cross[][2] = {{-0.33, -0.05}, {0.33, -0.71}, {-0.33, -0.71}, {0.33, -0.05}},
                         tick[][2] = {{-0.36, -0.35}, {-0.1, -0.06}, {-0.1, -0.06}, {0.36, -0.74}};
     const double(*p)[2] = right ? tick : cross;
-    tr_pen_hue(cr, right ? TR_GREEN : TR_VERMILLION);
+    tr_pen_hue(cr, right ? TR_GREEN : TR_INK);
     cairo_set_line_cap(cr, CAIRO_LINE_CAP_ROUND);
     for (int i = 0; i < 4; i += 2)
         tr_pen_line(cr, (tr_point){at.x + size * p[i][0], at.y + size * p[i][1]},

@@ -33,7 +33,7 @@ typedef struct tr_point {
 void tr_pen_hue(cairo_t *cr, unsigned hue);
 void tr_pen_rgb(cairo_t *cr, tr_rgb color);
 
-/* Text in DejaVu Sans, UTF-8; `_` lowers the next character. Returns its width [px]. */
+/* Text in DejaVu Sans, UTF-8; `_` lowers what follows, as in draw.h. Returns its width [px]. */
 double tr_pen_text(cairo_t *cr, tr_text at, const char *given);
 
 /* Only the width; ignores room. */
@@ -43,7 +43,7 @@ double tr_pen_width(cairo_t *cr, tr_text at, const char *given);
  * height [px], and draws when asked. */
 double tr_pen_paragraph(cairo_t *cr, tr_text at, int n_lines, const char *text, bool draw);
 
-/* A tick in green or a cross in vermillion; size: of the letters beside it, at: on their base line. */
+/* A tick in green or a dark cross; size: of the letters beside it, at: on their base line. */
 void tr_pen_verdict(cairo_t *cr, tr_point at, double size, bool right);
 
 void tr_pen_line(cairo_t *cr, tr_point from, tr_point to, double width);

@@ -5,22 +5,17 @@
 
 #include "draw/frame.h"
 
-/* A velocity as a bar within +-range, and its number: beside the bar if there is room, else above. */
+/* A velocity as a bar within +-range in the colour of its meaning; its direction is its sign. Its number, if there is a
+ * unit, stands beside it where there is room, else above. */
 typedef struct tr_bar {
-    double value, expected, range; /* expected NaN: not said */
-    const tr_unit *unit;
+    double value, range;
+    unsigned hue;
+    const tr_unit *unit; /* NULL: no number */
     bool bold, with_unit;
-    bool told; /* keep room for a verdict */
+    bool size_only; /* the number has no sign */
+    bool differs;   /* hatched: another definition says otherwise */
 } tr_bar;
 
-/* The value differs from what the class is told, by more than 1 % of the range. */
-bool tr_bar_wrong(const tr_bar *bar);
 void tr_bar_draw(cairo_t *cr, tr_box box, const tr_bar *bar);
-
-/* V_s or V_r of a contact as the class is told; NaN: not said. */
-double tr_show_expected(const tr_show_lane *lane, const tr_record *record, bool rolling);
-
-/* The two numbers of a lane among others, in a row or below each other. */
-void tr_panel_pair(cairo_t *cr, tr_box box, const tr_show_lane *lane, double range);
 
 #endif

@@ -5,6 +5,7 @@
 
 #include "draw/show.h"
 #include "draw/show_bar.h"
+#include "draw/say.h"
 #include "laws/kinematics.h"
 
 #include <math.h>
@@ -23,6 +24,7 @@ typedef struct tr_rows {
     double y, height, label, column, range;
     tr_unit unit;
     int shown, most; /* contacts; definitions of a kind */
+    bool differ;     /* some of them */
 } tr_rows;
 
 static double column_x(const tr_rows *rows, int i) {
@@ -41,17 +43,19 @@ static tr_text label_of(const tr_rows *rows, bool bold, unsigned hue) {
 
 static void draw_heading(tr_rows *rows) {
     tr_text at = label_of(rows, true, 0);
-    tr_pen_text(rows->cr, at, rows->shown == 1 ? "contact" : "disks");
+    tr_pen_text(rows->cr, at, rows->shown == 1 ? TR_SAY(rows->cr, contact) : TR_SAY(rows->cr, disks));
     at.align = TR_RIGHT, at.room = rows->column - 12;
     for (int i = 0; i < rows->shown; i++) {
         const tr_record *r = &rows->lane->record[i];
         char name[64];
-        const char *disk = rows->shown == 1 ? "disk " : "";
+        const char *wall = TR_SAY(rows->cr, wall), *gap = rows->shown == 1 ? " " : "";
+        const char *disk = rows->shown == 1 ? TR_SAY(rows->cr, disk) : "";
         if (r->a < 0 && rows->lane->world->n_walls == 1)
-            snprintf(name, sizeof name, "wall – %s%d", disk, r->b);
+            snprintf(name, sizeof name, "%s – %s%s%d", wall, disk, gap, r->b);
+        else if (r->a < 0)
+            snprintf(name, sizeof name, "%s %d – %s%s%d", wall, -1 - r->a, disk, gap, r->b);
         else
-            snprintf(name, sizeof name, "%s%d – %s%d", r->a < 0 ? "wall " : disk, r->a < 0 ? -1 - r->a : r->a, disk,
-                     r->b);
+            snprintf(name, sizeof name, "%s%s%d – %s%s%d", disk, gap, r->a, disk, gap, r->b);
         at.x = column_x(rows, i + 1);
         tr_pen_text(rows->cr, at, name);
     }
@@ -66,7 +70,7 @@ static void draw_arcs(tr_rows *rows) {
     tr_unit unit = tr_frame_unit(fmax(most, 1e-3 * rows->lane->record[0].R2), "m"); /* no unit for rounding */
     for (int b = 0; b < 2; b++) {
         char text[48];
-        tr_text at = label_of(rows, false, b ? TR_VERMILLION : TR_BLUE);
+        tr_text at = label_of(rows, false, b ? TR_ARC_B : TR_ARC_A);
         snprintf(text, sizeof text, "%s  [%s]", b ? "Δb" : "Δa", unit.name);
         tr_pen_text(rows->cr, at, text);
         at.align = TR_RIGHT, at.room = rows->column - 12;
@@ -93,15 +97,14 @@ static void draw_definitions(tr_rows *rows, bool rolling) {
         char label[64];
         bool used = is_used(rows->lane->world, &measure[k], rolling);
         snprintf(label, sizeof label, "%s %s", rolling ? "V_r" : "V_s", measure[k].name);
-        tr_pen_text(rows->cr, label_of(rows, used, 0), label);
+        const unsigned hue = rolling ? TR_ROLLS : TR_SLIDES;
+        tr_pen_text(rows->cr, label_of(rows, used, hue), label);
         for (int i = 0; i < rows->shown; i++) {
             const tr_record *r = &rows->lane->record[i];
-            tr_bar bar = {.value = (rolling ? r->v_r_by : r->v_s_by)[k],
-                          .expected = tr_show_expected(rows->lane, r, rolling),
-                          .range = rows->range,
-                          .unit = &rows->unit,
-                          .bold = used,
-                          .told = rows->lane->n_expect > 0};
+            const double *by = rolling ? r->v_r_by : r->v_s_by;
+            tr_bar bar = {.value = by[k], .range = rows->range, .hue = hue, .unit = &rows->unit, .bold = used};
+            bar.differs = !(fabs(by[k] - by[0]) <= 0.01 * rows->range);
+            rows->differ |= bar.differs;
             tr_bar_draw(rows->cr, (tr_box){column_x(rows, i) + 8, rows->y, rows->column - 8, rows->height}, &bar);
         }
         rows->y += rows->height;
@@ -114,31 +117,37 @@ static void draw_notes(tr_rows *rows) {
     whole.decimals = rows->range / whole.size < 1 ? 1 : 0;
     char number[32], text[96];
     tr_frame_number(number, sizeof number, rows->range, &whole, false);
-    snprintf(text, sizeof text, "in %s, bars end at ±%s", rows->unit.name, number);
+    tr_words_fill(text, sizeof text, TR_SAY(rows->cr, bars_end), rows->unit.name, number);
     tr_text at = {.x = rows->box.x, .y = rows->y + 17, .size = 18, .room = rows->box.w, .hue = TR_FAINT};
     tr_pen_text(rows->cr, at, text);
     if (rows->lane->n_records > rows->shown) {
-        snprintf(text, sizeof text, "%d of %d contacts", rows->shown, rows->lane->n_records);
+        char shown[16], all[16];
+        snprintf(shown, sizeof shown, "%d", rows->shown), snprintf(all, sizeof all, "%d", rows->lane->n_records);
+        tr_words_fill(text, sizeof text, TR_SAY(rows->cr, of_contacts), shown, all);
         at.x += rows->box.w, at.align = TR_RIGHT, at.room = 0.4 * rows->box.w;
         tr_pen_text(rows->cr, at, text);
     }
-    if (rows->lane->n_expect == 0) return;
-    tr_pen_verdict(rows->cr, (tr_point){rows->box.x + 8, rows->y + 40}, 18, false);
-    tr_pen_text(rows->cr, (tr_text){.x = rows->box.x + 24, .y = rows->y + 40, .size = 18, .room = rows->box.w - 24},
-                "differs from Wang's");
+    if (!rows->differ) return;
+    tr_bar sample = {.value = 1, .range = 1, .hue = TR_FAINT, .differs = true};
+    tr_bar_draw(rows->cr, (tr_box){rows->box.x - 30, rows->y + 26, 60, 18}, &sample);
+    tr_pen_hue(rows->cr, TR_WHITE); /* its left half */
+    cairo_rectangle(rows->cr, rows->box.x - 31, rows->y + 24, 31, 22);
+    cairo_fill(rows->cr);
+    tr_pen_text(rows->cr, (tr_text){.x = rows->box.x + 40, .y = rows->y + 40, .size = 18, .room = rows->box.w - 40},
+                TR_SAY(rows->cr, differs));
 }
 
 bool tr_panel_bars(cairo_t *cr, tr_box box, const tr_show_lane *lane, double range) {
     tr_rows rows = {.cr = cr, .box = box, .lane = lane, .y = box.y, .range = range, .most = TR_MAX_VELOCITY_MEASURES};
     rows.shown = lane->n_records < TR_SHOW_CONTACTS ? lane->n_records : TR_SHOW_CONTACTS;
     if (rows.shown == 0) {
-        tr_pen_text(cr, (tr_text){.x = box.x, .y = box.y + 32, .size = 28, .hue = TR_FAINT}, "no contact");
+        tr_pen_text(cr, (tr_text){.x = box.x, .y = box.y + 32, .size = 28, .hue = TR_FAINT}, TR_SAY(cr, no_contact));
         return true;
     }
     rows.label = rows.shown > 2 ? LABEL_W_MANY : LABEL_W;
     rows.column = (box.w - rows.label) / rows.shown;
     rows.unit = tr_frame_unit(range, "m/s");
-    double notes = lane->n_expect ? 46 : 24, least = rows.column < 200 ? 1.25 * row_least : row_least;
+    double notes = 46, least = rows.column < 200 ? 1.25 * row_least : row_least;
     bool arcs = true, heading;
     for (int n_s = tr_n_sliding_velocities, n_r = tr_n_rolling_velocities;;) {
         int most = n_s > n_r ? n_s : n_r;
@@ -188,14 +197,15 @@ void tr_panel_checks(cairo_t *cr, tr_box box, const tr_show_check *check, int n)
     int fit = (int)((box.h - 12) / smallest), used = 1;
     height = fmax(height, smallest), size = 0.72 * height;
     tr_text head = {.y = box.y + 0.72 * height, .size = size, .align = TR_RIGHT, .hue = TR_FAINT};
-    head.x = box.x + 0.7 * box.w, tr_pen_text(cr, head, "measured");
-    head.x = box.x + box.w, tr_pen_text(cr, head, "exact");
+    head.x = box.x + 0.7 * box.w, tr_pen_text(cr, head, TR_SAY(cr, measured));
+    head.x = box.x + box.w, tr_pen_text(cr, head, TR_SAY(cr, exact));
     for (int i = 0; i < n; i++) {
         bool group = *check[i].group && (i == 0 || strcmp(check[i].group, check[i - 1].group) != 0);
         tr_box line = {box.x, box.y + used * height, box.w, height};
         if (used + group + (i < n - 1) >= fit) {
-            char text[32];
-            snprintf(text, sizeof text, "and %d more", n - i);
+            char text[64], number[16];
+            snprintf(number, sizeof number, "%d", n - i);
+            tr_words_fill(text, sizeof text, TR_SAY(cr, and_more), number, "");
             tr_pen_text(cr, (tr_text){.x = box.x, .y = line.y + 0.72 * height, .size = size, .hue = TR_FAINT}, text);
             return;
         }

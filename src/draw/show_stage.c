@@ -9,12 +9,14 @@
 #include "draw/arc.h"
 #include "draw/show.h"
 #include "draw/show_ground.h"
+#include "draw/show_lamp.h"
+#include "draw/show_marks.h"
 #include "draw/stage.h"
 
 #include <math.h>
 #include <stdio.h>
 
-static const double badge = 14; /* radius of the disk's number */
+static const double badge = 17; /* radius of the disk's number */
 
 static bool place(const tr_stage *s, int disk, tr_point *p, double *radius) {
     const double *x = s->lane->world->disks.pos + 4 * disk;
@@ -76,15 +78,16 @@ static double spin_radius(double r) {
 }
 
 /* label NULL: the arc; else its label, inside the disk beside the arc's middle, where it fits. */
-static void draw_arc(const tr_stage *s, int disk, tr_arc arc, int depth, const char *label, unsigned hue) {
+static void draw_arc(const tr_stage *s, int disk, tr_arc arc, int depth, const char *label, tr_hue hue) {
     tr_point p;
     double r;
     if (!place(s, disk, &p, &r) || !isfinite(arc.sweep) || !isfinite(arc.from)) return;
-    double width = arc_width(r), radius = r - 3 - width * (0.5 + 1.4 * depth), rest = fmod(arc.sweep, 2 * M_PI);
+    double width = arc_width(r), radius = r - tr_marks_width(r) - 2 - width * (0.5 + 1.4 * depth),
+           rest = fmod(arc.sweep, 2 * M_PI);
     double from = arc.from + s->tilt, inner = radius - 28;
     if (radius < 2.5 * width) return;
     if (label) {
-        if (inner > spin_radius(r) + 20 && depth == 0 && fabs(rest) * radius > 3) /* of more arcs the colour tells */
+        if (inner > spin_radius(r) + 20 && depth == 0 && fabs(rest) * radius > 3) /* of more arcs the line tells */
             label_arc(s->cr, around(p, inner, from + rest / 2), label, hue);
         return;
     }
@@ -96,19 +99,23 @@ static void draw_arc(const tr_stage *s, int disk, tr_arc arc, int depth, const c
     tr_pen_hue(s->cr, hue);
     tr_pen_arc(s->cr, p, radius, from, rest, width, false);
     if (fabs(rest) * radius > 3) tr_pen_dot(s->cr, around(p, radius, from + rest), 0.8 * width);
+    if (hue != TR_ARC_B) return;
+    tr_pen_hue(s->cr, TR_WHITE);
+    tr_pen_arc(s->cr, p, radius, from, rest, 0.4 * width, false);
+    if (fabs(rest) * radius > 3) tr_pen_dot(s->cr, around(p, radius, from + rest), 0.4 * width);
 }
 
 static void draw_wall_arc(const tr_stage *s, const tr_record *r, const char *label) {
-    double x, y, under = 9, width = arc_width(r->R2 * s->map.scale);
+    double x, y, under = TR_MARKS_DEPTH, width = arc_width(r->R2 * s->map.scale);
     tr_arc_wall(r, &x, &y);
     tr_point p = tr_stage_point(s, r->x, r->y), q = tr_stage_point(s, x, y), n = tr_stage_turned(s, r->nx, r->ny);
     if (!tr_frame_seen(p, 1) || !tr_frame_seen(q, 1) || !(hypot(q.x - p.x, q.y - p.y) > 3)) return;
     p.x -= under * n.x, q.x -= under * n.x;
     p.y += under * n.y, q.y += under * n.y;
-    tr_pen_hue(s->cr, TR_BLUE);
+    tr_pen_hue(s->cr, TR_ARC_A);
     if (label) {
         if (r->R2 * s->map.scale > 40)
-            label_arc(s->cr, (tr_point){(p.x + q.x) / 2 - 24 * n.x, (p.y + q.y) / 2 + 24 * n.y}, label, TR_BLUE);
+            label_arc(s->cr, (tr_point){(p.x + q.x) / 2 - 22 * n.x, (p.y + q.y) / 2 + 22 * n.y}, label, TR_ARC_A);
         return;
     }
     tr_pen_line(s->cr, p, q, width);
@@ -127,10 +134,10 @@ static void draw_arcs(const tr_stage *s, bool labels) {
         tr_arc a, b;
         tr_arc_angles(r, &a, &b);
         if (r->a >= 0)
-            draw_arc(s, r->a, a, depth_a, labels ? "Δa" : NULL, TR_BLUE);
+            draw_arc(s, r->a, a, depth_a, labels ? "Δa" : NULL, TR_ARC_A);
         else
             draw_wall_arc(s, r, labels ? "Δa" : NULL);
-        draw_arc(s, r->b, b, depth_b, labels ? "Δb" : NULL, TR_VERMILLION);
+        draw_arc(s, r->b, b, depth_b, labels ? "Δb" : NULL, TR_ARC_B);
     }
 }
 
@@ -140,10 +147,7 @@ static void draw_contacts(const tr_stage *s) {
         tr_point p = tr_stage_point(s, r->x, r->y);
         double smaller = r->a >= 0 ? fmin(r->R1, r->R2) : r->R2, dot = between(3, 0.2 * smaller * s->map.scale, 8);
         if (!tr_frame_seen(p, 1)) continue;
-        tr_pen_hue(s->cr, TR_WHITE);
-        tr_pen_dot(s->cr, p, dot);
-        tr_pen_hue(s->cr, TR_INK);
-        tr_pen_dot(s->cr, p, 0.7 * dot);
+        tr_lamp_dot(s->cr, p, dot, tr_lamp_of(s->lane->world, r, s->range));
     }
 }
 
@@ -179,7 +183,7 @@ static void draw_motion(const tr_stage *s, int i) {
     char text[16];
     snprintf(text, sizeof text, "%d", i);
     tr_pen_text(s->cr,
-                (tr_text){.x = p.x, .y = p.y + 7, .size = 20, .bold = true, .align = TR_CENTRE, .room = 2 * badge - 6},
+                (tr_text){.x = p.x, .y = p.y + 9, .size = 24, .bold = true, .align = TR_CENTRE, .room = 2 * badge - 6},
                 text);
 }
 
@@ -193,6 +197,8 @@ void tr_stage_draw(const tr_stage *s) {
     tr_ground_trace(s);
     for (int i = 0; i < n; i++) draw_ticks(s, i);
     draw_arcs(s, false);
+    tr_marks_draw(s);
+    tr_marks_sliding(s);
     draw_contacts(s);
     for (int i = 0; i < n; i++) draw_motion(s, i);
     draw_arcs(s, true);

@@ -92,7 +92,12 @@ typedef struct tr_scene_output {
     tr_scene_picks paths; /* contacts whose path is written to paths/NAME.csv */
     int curve;            /* bodies: tr_curve drawn beside the motion */
     double still;         /* bodies: time of still.png [s] */
+    int view;             /* bodies, biaxial: tr_output_view */
+    int language;         /* of the words in pictures, in the order of the choices of `language:` */
 } tr_scene_output;
+
+/* Who looks, in the order of the choices of `view:`. */
+typedef enum tr_output_view { TR_VIEW_CLASS, TR_VIEW_EXPERT } tr_output_view;
 
 /* What the frames of bodies draw over time, in the order of the choices of `curve:`. */
 typedef enum tr_curve {

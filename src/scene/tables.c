@@ -166,10 +166,26 @@ static const tr_param output[] = {
     {"paths", TR_PICKS, TR_DIM_NUMBER, "", "[]", 0, TR_MAX_PICKS, NULL, AT(paths),
      "contacts whose path is written: 17-42 (two disks), wall0-3 (wall 0, disk 3), most-mobilised (at the end)"},
 };
+#define VIEW                                                                                                           \
+    {"view",                                                                                                           \
+     TR_CHOICE,                                                                                                        \
+     TR_DIM_NUMBER,                                                                                                    \
+     "",                                                                                                               \
+     "class",                                                                                                          \
+     0,                                                                                                                \
+     0,                                                                                                                \
+     "class|expert",                                                                                                   \
+     AT(view),                                                                                                         \
+     "pictures for a class: three numbers at most, large type; for an expert: all definitions, all numbers"},          \
+    {                                                                                                                  \
+        "language", TR_CHOICE, TR_DIM_NUMBER, "", "en", 0, 0, "en|de", AT(language),                                   \
+            "of the words in pictures: English or German"                                                              \
+    }
 static const tr_param output_bodies[] = {
     {"curve", TR_CHOICE, TR_DIM_NUMBER, "", "none", 0, 0, "none|speed|velocities|creepage|spin", AT(curve),
      "drawn over time: speed of disk 0; V_s and V_r, or creepage, of the first contact; spin of the last disk"},
     {"still", TR_REAL, TR_DIM_TIME, "s", "time_end", 0, 1e6, NULL, AT(still), "time of still.png"},
+    VIEW,
 };
 static const tr_param output_biaxial[] = {
     {"color", TR_CHOICE, TR_DIM_NUMBER, "", "mobilisation", 0, 0, "mobilisation|sliding|rolling|slip|spin", AT(color),

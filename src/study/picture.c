@@ -2,8 +2,10 @@
 #include "study/picture.h"
 #include "base/math.h"
 
+#include "draw/canvas.h"
 #include "draw/field.h"
 #include "draw/frame_show.h"
+#include "draw/palette.h"
 #include "scene/what.h"
 #include "study/film.h"
 #include "study/shown_check.h"
@@ -43,12 +45,14 @@ static double mark_of(const tr_scene *scene) {
 static tr_chart chart_of(const tr_cast *s, const tr_view_box *view) {
     static const struct {
         const char *name[2], *unit;
-    } curve[] = {[TR_CURVE_SPEED] = {{"speed", NULL}, "m/s"},
-                 [TR_CURVE_VELOCITIES] = {{"V_s", "V_r"}, "m/s"},
-                 [TR_CURVE_CREEPAGE] = {{"creepage", NULL}, "1"},
-                 [TR_CURVE_SPIN] = {{"spin", NULL}, "rad/s"}};
+        unsigned hue[2];
+    } curve[] = {[TR_CURVE_SPEED] = {{"speed", NULL}, "m/s", {0}},
+                 [TR_CURVE_VELOCITIES] = {{"V_s", "V_r"}, "m/s", {TR_SLIDES, TR_ROLLS}},
+                 [TR_CURVE_CREEPAGE] = {{"creepage", NULL}, "1", {0}},
+                 [TR_CURVE_SPIN] = {{"spin", NULL}, "rad/s", {0}}};
     int k = s->scene->output.curve;
     tr_chart chart = {.name = {curve[k].name[0], curve[k].name[1]},
+                      .hue = {curve[k].hue[0], curve[k].hue[1]},
                       .unit = curve[k].unit,
                       .bottom = view->bottom,
                       .top = view->top,
@@ -95,11 +99,11 @@ void tr_picture_draw(tr_canvas *canvas, const tr_cast *s, const tr_view_box *vie
     tr_show_check check[TR_MAX_LANES * TR_MAX_CHECKS];
     int n_checks = 0;
     for (int i = 0; i < n_results; i++) {
-        int what = result[i].check->what;
-        bool in_bars = s->n == 1 && (what == TR_SLIDING_VELOCITY || what == TR_ROLLING_VELOCITY);
-        if (!in_bars) check[n_checks++] = tr_run_shown_check(&result[i], s->scene, s->n > 1);
+        check[n_checks++] = tr_run_shown_check(&result[i], s->scene, s->n > 1);
     }
-    const tr_show picture = {.title = *lesson->title ? lesson->title : s->title,
+    tr_canvas_speak(canvas, s->scene->output.language);
+    const tr_show picture = {.expert = s->scene->output.view == TR_VIEW_EXPERT,
+                             .title = *lesson->title ? lesson->title : s->title,
                              .equation = or_null(lesson->equation),
                              .time = tr_play_time(s->play[s->leader]),
                              .time_end = s->scene->time_end,

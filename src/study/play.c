@@ -3,30 +3,14 @@
 #include "base/math.h"
 
 #include "core/step.h"
-#include "scene/what.h"
 #include "study/schedule.h"
 #include <math.h>
 #include <stdlib.h>
-
-/* One entry for each contact that a check gives a velocity. */
-static void gather_expected(tr_play *p) {
-    for (int k = 0; k < p->scene->n_checks; k++) {
-        const tr_scene_check *c = &p->scene->checks[k];
-        if (c->what != TR_SLIDING_VELOCITY && c->what != TR_ROLLING_VELOCITY) continue;
-        tr_scene_pick pick = c->contact.item[0];
-        int i = 0;
-        while (i < p->n_expect && (p->expect[i].a != pick.a || p->expect[i].b != pick.b)) i++;
-        if (i == TR_PLAY_TRACES) continue; /* frames show no more contacts */
-        if (i == p->n_expect) p->expect[p->n_expect++] = (tr_expect){pick.a, pick.b, NAN, NAN};
-        *(c->what == TR_SLIDING_VELOCITY ? &p->expect[i].v_s : &p->expect[i].v_r) = c->exact;
-    }
-}
 
 bool tr_play_open(tr_play *p, const tr_scene *scene, int curve, tr_status *st) {
     *p = (tr_play){.scene = scene, .curve = curve, .at = -1};
     if (!tr_checks_open(&p->checks, scene, st) || !tr_bodies_init(&p->b, scene, st)) return false;
     p->samples = p->b.steps < TR_PLAY_SAMPLES ? (int)p->b.steps + 1 : TR_PLAY_SAMPLES;
-    gather_expected(p);
     return true;
 }
 
@@ -91,6 +75,7 @@ static bool sample(tr_play *p, tr_status *st) {
     p->time[p->n] = tr_play_time(p);
     sample_trace(p);
     sample_curve(p);
+    tr_marks_take(&p->marks, &p->b.world, p->records, p->n_records);
     p->n++;
     return true;
 }
@@ -151,8 +136,8 @@ tr_show_lane tr_play_lane(tr_play *p) {
                          .slope = slope_of(p),
                          .trace = p->trace,
                          .n_trace = join_traces(p),
-                         .expect = p->expect,
-                         .n_expect = p->n_expect};
+                         .mark = p->mark,
+                         .n_marks = tr_marks_all(&p->marks, p->mark)};
     if (!p->inset.solver) return lane;
     lane.inset = tr_half_plane_state(p->inset.solver), lane.inset_pair = &p->inset.pair;
     lane.inset_a = p->inset.pick.a, lane.inset_b = p->inset.pick.b;

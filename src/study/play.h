@@ -8,6 +8,7 @@
 #include "draw/draw.h"
 #include "study/checks.h"
 #include "study/inset.h"
+#include "study/marks.h"
 #include "study/recorder.h"
 
 enum { TR_PLAY_SAMPLES = 401, TR_PLAY_TRACES = 4 };
@@ -28,9 +29,9 @@ typedef struct tr_play {
                       * creepage has no meaning */
     tr_scene_pick traced[TR_PLAY_TRACES];
     double point[TR_PLAY_TRACES][TR_PLAY_SAMPLES][2];
-    double trace[TR_PLAY_TRACES * (TR_PLAY_SAMPLES + 1) * 2]; /* the points in a row, for the frames */
-    tr_expect expect[TR_PLAY_TRACES];
-    int n_expect;
+    double trace[TR_PLAY_TRACES * (TR_PLAY_SAMPLES + 1) * 2]; /* the points one behind the other, as frames want them */
+    tr_marks marks;
+    tr_rim_mark mark[TR_MARKS_MOST]; /* one behind the other */
 } tr_play;
 
 /* At the start. The play must not move until it is closed. */

@@ -177,6 +177,7 @@ static bool prepare(show *s, tr_status *st) {
     s->rehearsal = false;
     bool ok = open_plays(s, st);
     for (int i = 0; i < s->cast.n; i++) {
+        if (ok) s->cast.play[i]->marks.range = s->view.range;
         if (ok) tr_checks_adopt(&s->cast.play[i]->checks, &found[i]);
         tr_checks_free(&found[i]);
     }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "study/shown_check.h"
 
+#include "draw/words.h"
 #include "scene/what.h"
 
 #include <math.h>
@@ -24,19 +25,22 @@ static void shown_number(char *text, size_t size, double value, double largest, 
 
 tr_show_check tr_run_shown_check(const tr_check_result *r, const tr_scene *scene, bool several) {
     static const char *const symbol[TR_N_WHATS] = {[TR_SLIDING_VELOCITY] = "V_s", [TR_ROLLING_VELOCITY] = "V_r"};
+#define ROW(choice, name, dim, unit, whose, when, function) [choice] = TR_WORD_what_##function,
+    static const tr_word_key word[TR_N_WHATS] = {TR_WHATS(ROW)};
+#undef ROW
     char part[TR_BY_SHAPE];
     tr_show_check shown = {.ok = r->ok};
     double scale = 1, measured = r->measured, exact = r->check->exact;
-    const char *what = symbol[r->check->what], *unit = tr_param_by_shape(r->unit, r->shape, part);
+    const char *what = scene->output.view == TR_VIEW_EXPERT ? symbol[r->check->what] : NULL,
+               *unit = tr_param_by_shape(r->unit, r->shape, part);
     if (strcmp(unit, "rad") == 0) unit = "°", scale = 180 / M_PI;
     if (strcmp(unit, "1") == 0) unit = "";
     if (strcmp(unit, "N/s") == 0) unit = "W/m";
     if (strcmp(unit, "J/s") == 0) unit = "W";
     if (fabs(measured) < 0.01 * r->check->tolerance) measured = 0; /* rounding */
     snprintf(shown.group, sizeof shown.group, "%s", several ? r->lane : "");
-    int used = snprintf(shown.what, sizeof shown.what, "%.24s", what ? what : r->what);
-    for (char *p = shown.what; *p; p++)
-        if (*p == '-') *p = ' ';
+    int used = snprintf(shown.what, sizeof shown.what, "%.40s",
+                        what ? what : tr_words_of((tr_language)scene->output.language, word[r->check->what]));
     if (scene->n_disks > 1) used += snprintf(shown.what + used, sizeof shown.what - (size_t)used, ", %.9s", r->of);
     if (r->check->at > 0 && r->check->at < scene->time_end)
         snprintf(shown.what + used, sizeof shown.what - (size_t)used, ", %.3g s", r->check->at);

@@ -8,6 +8,7 @@
 #include "draw/frame_biaxial.h"
 #include "draw/frame_show.h"
 #include "draw/hand_made.h"
+#include "draw/frame.h"
 #include "draw/palette.h"
 #include "draw/video.h"
 #include <dirent.h>
@@ -86,20 +87,75 @@ static void test_palette_falls_in_lightness(void **state) {
     (void)state;
     for (int i = 0; i < 200; i++) {
         double u = i / 200.0, v = (i + 1) / 200.0;
-        assert_true(lightness(tr_palette_sequential(v)) < lightness(tr_palette_sequential(u)) - 0.1);
+        for (tr_ramp ramp = TR_RAMP_PLAIN; ramp <= TR_RAMP_ROLLING; ramp++)
+            assert_true(lightness(tr_palette_ramp(ramp, v)) < lightness(tr_palette_ramp(ramp, u)) - 0.1);
         assert_true(lightness(tr_palette_diverging(v)) < lightness(tr_palette_diverging(u)) - 0.1);
         assert_true(lightness(tr_palette_diverging(-v)) < lightness(tr_palette_diverging(-u)) - 0.1);
     }
-    assert_true(lightness(tr_palette_sequential(0)) - lightness(tr_palette_sequential(1)) > 60);
-    assert_true(tr_palette_diverging(1).r > tr_palette_diverging(1).b);
-    assert_true(tr_palette_diverging(-1).r < tr_palette_diverging(-1).b);
+    for (tr_ramp ramp = TR_RAMP_PLAIN; ramp <= TR_RAMP_ROLLING; ramp++)
+        assert_true(lightness(tr_palette_ramp(ramp, 0)) - lightness(tr_palette_ramp(ramp, 1)) > 60);
+}
+
+/* Relative luminance and contrast as WCAG 2.1 defines them. */
+static double luminance(unsigned hue) {
+    double Y = (lightness(tr_palette_hue(hue)) + 16) / 116;
+    return Y * Y * Y;
+}
+
+static double contrast(unsigned p, unsigned q) {
+    double high = fmax(luminance(p), luminance(q)), low = fmin(luminance(p), luminance(q));
+    return (high + 0.05) / (low + 0.05);
+}
+
+/* 4.5: what WCAG asks of text. 2: two greys that are told apart side by side. */
+static void test_sliding_and_rolling_are_read_and_differ_in_grey(void **state) {
+    (void)state;
+    const unsigned text[] = {TR_INK, TR_FAINT, TR_SLIDES, TR_ROLLS, TR_GREEN, TR_PURPLE, TR_ARC_A, TR_ARC_B};
+    for (int i = 0; i < 8; i++)
+        if (!(contrast(text[i], TR_WHITE) >= 4.5))
+            fail_msg("#%06X has a contrast of %g", text[i], contrast(text[i], TR_WHITE));
+    assert_true(contrast(TR_SLIDES, TR_ROLLS) > 2);
+}
+
+static double linear(double c) {
+    return c <= 0.04045 ? c / 12.92 : pow((c + 0.055) / 1.055, 2.4);
+}
+
+/* As seen without one kind of cones, in linear sRGB: Machado, Oliveira & Fernandes (2009), severity 1. */
+static void as_seen(int kind, unsigned hue, double seen[3]) {
+    static const double of[3][3][3] = {
+        {{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}},
+        {{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}},
+        {{1.255528, -0.076749, -0.178779}, {-0.078411, 0.930809, 0.147602}, {0.004733, 0.691367, 0.303900}}};
+    tr_rgb c = tr_palette_hue(hue);
+    double in[3] = {linear(c.r), linear(c.g), linear(c.b)};
+    for (int i = 0; i < 3; i++) seen[i] = of[kind][i][0] * in[0] + of[kind][i][1] * in[1] + of[kind][i][2] * in[2];
+}
+
+/* With any two kinds of cones sliding and rolling stay further apart than each is from a grey of half its light: 0.1 in
+ * linear light, where white is 1. The other hues of films are neither of them: 0.03. */
+static void test_two_meanings_stay_apart_for_colour_blind_eyes(void **state) {
+    (void)state;
+    const unsigned other[] = {TR_INK, TR_GREEN, TR_PURPLE, TR_FAINT, TR_WALL, TR_ARC_A, TR_ARC_B, TR_STICKS};
+    for (int kind = 0; kind < 3; kind++) {
+        double s[3], r[3], o[3];
+        as_seen(kind, TR_SLIDES, s), as_seen(kind, TR_ROLLS, r);
+        assert_true(hypot(hypot(s[0] - r[0], s[1] - r[1]), s[2] - r[2]) > 0.1);
+        for (int i = 0; i < 8; i++) {
+            as_seen(kind, other[i], o);
+            double from_s = hypot(hypot(s[0] - o[0], s[1] - o[1]), s[2] - o[2]);
+            double from_r = hypot(hypot(r[0] - o[0], r[1] - o[1]), r[2] - o[2]);
+            if (!(from_s > 0.03 && from_r > 0.03))
+                fail_msg("#%06X is %g from sliding, %g from rolling (cones %d)", other[i], from_s, from_r, kind);
+        }
+    }
 }
 
 static void test_palette_clamps(void **state) {
     (void)state;
     const double odd[][2] = {{-3, 0}, {NAN, 0}, {7, 1}, {INFINITY, 1}, {-INFINITY, 0}};
     for (int i = 0; i < 5; i++) {
-        tr_rgb p = tr_palette_sequential(odd[i][0]), q = tr_palette_sequential(odd[i][1]);
+        tr_rgb p = tr_palette_ramp(TR_RAMP_PLAIN, odd[i][0]), q = tr_palette_ramp(TR_RAMP_PLAIN, odd[i][1]);
         assert_memory_equal(&p, &q, sizeof p);
         p = tr_palette_diverging(-7), q = tr_palette_diverging(-1);
         assert_memory_equal(&p, &q, sizeof p);
@@ -207,7 +263,7 @@ static void test_biaxial_pixels(void **state) {
     h->record[0] = (tr_record){.a = 0, .b = 1, .f_n = 5, .mobilisation = 1, .R1 = 1, .R2 = 1};
     h->view.n_records = 1;
     tr_draw_biaxial(f->canvas, &h->view);
-    tr_rgb dark = tr_palette_sequential(1);
+    tr_rgb dark = tr_palette_ramp(TR_RAMP_PLAIN, 1);
     unsigned line = pixel(f->canvas, cx, cy + 105); /* where the disks touch */
     assert_close((line >> 16) / 255.0, dark.r, 0, 0.03);
     assert_close((line >> 8 & 255) / 255.0, dark.g, 0, 0.03);
@@ -263,7 +319,8 @@ static void test_disks_in_the_colour_of_a_field(void **state) {
         for (int i = 0; i < 4; i++) {
             unsigned hue = pixel(f->canvas, 420 + (2 * i - 3) * 75, 342); /* a disk is 150 px wide */
             bool spin = color == TR_COLOR_SPIN;
-            if (!near(hue, spin ? tr_palette_diverging(want[color][i]) : tr_palette_sequential(want[color][i])))
+            if (!near(hue, spin ? tr_palette_diverging(want[color][i])
+                                : tr_palette_ramp(tr_frame_ramp(color), want[color][i])))
                 fail_msg("color %d, disk %d: %06x", (int)color, i, hue);
         }
         assert_int_equal(pixel(f->canvas, 420 + 150, 342 - 100), TR_WHITE); /* no rims, nothing between disks */
@@ -271,7 +328,7 @@ static void test_disks_in_the_colour_of_a_field(void **state) {
     assert_int_equal(ends[0], 2);
     assert_int_equal(ends[1], 2);
     assert_int_equal(ends[3], 0);
-    /* the bar: blue on the left, light grey in the middle, brown on the right */
+    /* the bar: green on the left, light grey in the middle, purple on the right */
     assert_true(near(pixel(f->canvas, 854, 648), tr_palette_diverging(-1)));
     assert_true(near(pixel(f->canvas, 1052, 648), tr_palette_diverging(0)));
     assert_true(near(pixel(f->canvas, 1250, 648), tr_palette_diverging(1)));
@@ -302,7 +359,7 @@ static void test_cell_pixels(void **state) {
     h->record[0] = (tr_record){.a = 0, .b = 1, .f_n = 5, .mobilisation = 1, .R1 = 0.5, .R2 = 0.5};
     h->view.n_records = 1;
     tr_draw_biaxial(f->canvas, &h->view);
-    tr_rgb dark = tr_palette_sequential(1);
+    tr_rgb dark = tr_palette_ramp(TR_RAMP_PLAIN, 1);
     int at[2] = {420 + (int)(1.95 * scale), 420 - (int)(1.6 * scale)};
     for (int k = 0; k < 2; k++) assert_close((pixel(f->canvas, at[k], 342) >> 16) / 255.0, dark.r, 0, 0.03);
     assert_int_equal(pixel(f->canvas, 420, 342), TR_WHITE);
@@ -331,14 +388,14 @@ static void test_bodies_shows_arcs_bars_and_walls(void **state) {
     fixture *f = *state;
     hand_made *h = hand_floor(10e-3, 14e-3, -0.6, 0.2, -6);
     draw_bodies(f->canvas, h);
-    assert_true(count(f->canvas, TR_BLUE, 0, TR_FRAME_HEIGHT) > 1000);
-    assert_true(count(f->canvas, TR_VERMILLION, 0, TR_FRAME_HEIGHT) > 400);
+    assert_true(count(f->canvas, TR_ARC_A, 0, TR_FRAME_HEIGHT) > 1000);
+    assert_true(count(f->canvas, TR_ARC_B, 0, TR_FRAME_HEIGHT) > 400);
     assert_true(count(f->canvas, TR_WALL, 0, TR_FRAME_HEIGHT) > 2000);
     assert_true(count(f->canvas, TR_GREEN, 0, 660) > 300);
     h->view.n_records = 0;
     draw_bodies(f->canvas, h);
-    assert_int_equal(count(f->canvas, TR_BLUE, 0, TR_FRAME_HEIGHT), 0);
-    assert_int_equal(count(f->canvas, TR_VERMILLION, 0, TR_FRAME_HEIGHT), 0);
+    assert_int_equal(count(f->canvas, TR_ARC_A, 0, TR_FRAME_HEIGHT), 0);
+    assert_int_equal(count(f->canvas, TR_ARC_B, 0, TR_FRAME_HEIGHT), 0);
     assert_true(count(f->canvas, TR_DISK, 0, TR_FRAME_HEIGHT) > 10000);
     free(h);
 }
@@ -350,11 +407,10 @@ static void test_arcs_go_the_right_way(void **state) {
     for (int sign = -1; sign <= 1; sign += 2) {
         hand_made *h = hand_pair(8e-3, 8e-3, 0.9 * sign, 0.9 * sign, 0, 0);
         draw_bodies(f->canvas, h);
-        int up_a = count(f->canvas, TR_BLUE, 100, middle), down_a = count(f->canvas, TR_BLUE, middle + 1, 640);
-        int up_b = count(f->canvas, TR_VERMILLION, 100, middle),
-            down_b = count(f->canvas, TR_VERMILLION, middle + 1, 640);
+        int up_a = count(f->canvas, TR_ARC_A, 100, middle), down_a = count(f->canvas, TR_ARC_A, middle + 1, 640);
+        int up_b = count(f->canvas, TR_ARC_B, 100, middle), down_b = count(f->canvas, TR_ARC_B, middle + 1, 640);
         assert_true(sign > 0 ? up_a > 1000 && down_a == 0 : down_a > 1000 && up_a == 0);
-        assert_true(sign > 0 ? down_b > 1000 && up_b == 0 : up_b > 1000 && down_b == 0);
+        assert_true(sign > 0 ? down_b > 300 && up_b == 0 : up_b > 300 && down_b == 0);
         free(h);
     }
 }
@@ -610,6 +666,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_palette_falls_in_lightness),
         cmocka_unit_test(test_palette_clamps),
+        cmocka_unit_test(test_sliding_and_rolling_are_read_and_differ_in_grey),
+        cmocka_unit_test(test_two_meanings_stay_apart_for_colour_blind_eyes),
         cmocka_unit_test(test_range),
         cmocka_unit_test(test_arcs_end_at_the_material_points),
         cmocka_unit_test(test_arc_on_a_wall_ends_where_the_contact_began),

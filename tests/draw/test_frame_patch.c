@@ -128,7 +128,7 @@ static void test_colour_follows_slip(void **state) {
     for (int i = 0; i < 9; i++) slips(f, i, i % 2 ? 1 : -1, i * 0.125e-9 * (i < 8 ? 1 : 7));
     tr_draw_patch(f->canvas, &f->view);
     for (int i = 0; i < 9; i++) {
-        tr_rgb c = tr_palette_sequential(i / 8.0);
+        tr_rgb c = tr_palette_ramp(TR_RAMP_SLIDING, i / 8.0);
         int x = MIDDLE - HALF + 50 * i + 25, y = AXIS + (i % 2 ? -20 : 20);
         for (int k = 0; k < 2; k++) {
             unsigned got = pixel(f, x, k ? BAND : y);
@@ -179,7 +179,7 @@ static void test_width_is_that_of_the_contact(void **state) {
         for (int i = 0; i < 40; i++) slips(f, i, 1, 1e-9);
         f->view.a_max *= k;
         tr_draw_patch(f->canvas, &f->view);
-        tr_rgb c = tr_palette_sequential(1);
+        tr_rgb c = tr_palette_ramp(TR_RAMP_SLIDING, 1);
         unsigned dark =
             (unsigned)lround(255 * c.r) << 16 | (unsigned)lround(255 * c.g) << 8 | (unsigned)lround(255 * c.b);
         assert_close(count(f, dark, 0, 840, BAND, BAND + 1), 2.0 * HALF / k, 0, 3); /* less the outline */
@@ -313,7 +313,7 @@ static void test_colour_bar_tells_its_middle(void **state) {
         tr_unit unit = tr_frame_unit(range[i], "m");
         tr_pen_hue(f->canvas->cr, TR_WHITE);
         cairo_paint(f->canvas->cr);
-        tr_frame_color_bar(f->canvas->cr, "", range[i], &unit, false, 600);
+        tr_frame_color_bar(f->canvas->cr, &(tr_scale){"", range[i], &unit, TR_RAMP_SLIDING, false}, 600);
         tr_text at = {.x = TR_PANEL_X + TR_PANEL_W / 2.0, .y = 670, .size = 24, .align = TR_CENTRE};
         assert_true(reads(f, at, middle[i], TR_PANEL_X + 100, TR_PANEL_X + 300, 648, 690));
     }
@@ -443,7 +443,7 @@ static void test_two_and_two_thousand_elements(void **state) {
         for (int i = n / 2; i < n; i++) slips(f, i, 1, 0);
         for (int i = 0; i < n / 2; i++) f->tau[i] = 0.5 * f->pair.mu * f->p[i];
         tr_draw_patch(f->canvas, &f->view);
-        tr_rgb c = tr_palette_sequential(0);
+        tr_rgb c = tr_palette_ramp(TR_RAMP_SLIDING, 0);
         unsigned light =
             (unsigned)lround(255 * c.r) << 16 | (unsigned)lround(255 * c.g) << 8 | (unsigned)lround(255 * c.b);
         assert_int_equal(count(f, light, MIDDLE, MIDDLE + 200, AXIS - 10, AXIS - 9), 200); /* no seams */

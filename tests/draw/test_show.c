@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Films of a few bodies: what is drawn lies where geometry says, in its own cell, to one scale; a cross appears when and
- * only when a definition is off; nothing that a bad number can break. */
+/* Films of a few bodies: what is drawn lies where geometry says, in its own cell, to one scale; a lamp and marks
+ * say what a contact does; nothing that a bad number can break. */
 #include "assert_close.h"
 #include "draw/canvas.h"
 #include "draw/frame_show.h"
@@ -290,76 +290,153 @@ static void test_every_number_of_lanes_has_its_cells(void **state) {
     free(h);
 }
 
-/* The cross, by the pixels of its colour: a legend has one of its own. */
-static int crosses(const tr_show *show) {
-    tr_draw_show(canvas, show);
-    return count(panel, TR_VERMILLION);
-}
-
-static void test_cross_when_and_only_when_a_definition_is_off(void **state) {
+/* No definition is wrong: one that says otherwise than the first is hatched, with more than 1 % of the range between
+ * them, and nothing has a tick or a cross. */
+static void test_definition_is_hatched_when_and_only_when_it_differs(void **state) {
     (void)state;
     hand_made *h = hand_pair(10e-3, 10e-3, 0, 0, 0, 0);
     tr_record *r = h->record;
-    tr_expect expect = {0, 1, 0.3, -0.2};
+    tr_show_lane lane = hand_lane(h);
+    tr_show show = hand_show(&lane, 1);
+    show.range = 1, show.expert = true;
+    for (int k = 0; k < TR_MAX_VELOCITY_MEASURES; k++) r->v_s_by[k] = 0.3, r->v_r_by[k] = -0.2;
+    for (int rolling = 0; rolling < 2; rolling++) {
+        const unsigned hue = rolling ? TR_ROLLS : TR_SLIDES;
+        double *by = rolling ? r->v_r_by : r->v_s_by, same = by[0];
+        tr_draw_show(canvas, &show);
+        int solid = count(panel, hue);
+        for (int k = 1; k < (rolling ? tr_n_rolling_velocities : tr_n_sliding_velocities); k++) {
+            for (int sign = -1; sign <= 1; sign += 2) {
+                by[k] = same + sign * 0.009;
+                tr_draw_show(canvas, &show);
+                assert_close(count(panel, hue), solid, 0, 60); /* the bar is 1 px longer or shorter */
+                by[k] = same + sign * 0.011;
+                tr_draw_show(canvas, &show);
+                assert_true(count(panel, hue) < solid - 200);
+                assert_int_equal(count(panel, TR_GREEN), 0); /* of a tick */
+            }
+            by[k] = same;
+        }
+    }
+    free(h);
+}
+
+/* What the lamp and the contact say: nothing but an ink frame and dot, one colour, the other, half and half. */
+static void test_lamp_says_what_the_contact_does(void **state) {
+    (void)state;
+    const double speed[] = {0, 0.5};
+    for (int slides = 0; slides < 2; slides++)
+        for (int rolls = 0; rolls < 2; rolls++) {
+            hand_made *h = hand_pair(10e-3, 10e-3, 0, 0, 0, 0);
+            h->record[0].v_s_by[0] = speed[slides], h->record[0].v_r_by[0] = -speed[rolls];
+            tr_show_lane lane = hand_lane(h);
+            tr_show show = hand_show(&lane, 1);
+            show.range = 1;
+            tr_draw_show(canvas, &show);
+            rect lamp = {856, 80, 1248, 116}; /* without its frame */
+            int s = count(lamp, TR_SLIDES), r = count(lamp, TR_ROLLS), both = s + r;
+            assert_true(slides || rolls ? both > 10000 : both == 0);
+            assert_true(slides ? s > 4000 : s == 0);
+            assert_true(rolls ? r > 4000 : r == 0);
+            /* the dot, and the double arrow of what slides */
+            int arrow = count(picture, TR_SLIDES), dot = count(picture, TR_ROLLS);
+            assert_true(slides ? arrow > 300 : arrow == 0);
+            assert_true(rolls ? dot > 20 : dot == 0);
+            free(h);
+        }
+    /* what is below 1 % of the range is not seen */
+    hand_made *h = hand_pair(10e-3, 10e-3, 0, 0, 0, 0);
+    h->record[0].v_s_by[0] = 0.0099, h->record[0].v_r_by[0] = 0.0099;
     tr_show_lane lane = hand_lane(h);
     tr_show show = hand_show(&lane, 1);
     show.range = 1;
-    lane.expect = &expect, lane.n_expect = 1;
-    for (int k = 0; k < TR_MAX_VELOCITY_MEASURES; k++) r->v_s_by[k] = 0.3, r->v_r_by[k] = -0.2;
-    int none = crosses(&show), green = count(panel, TR_GREEN);
-    assert_true(none > 0 && green > 100);
-    for (int k = 0; k < tr_n_sliding_velocities + tr_n_rolling_velocities; k++) {
-        bool rolling = k >= tr_n_sliding_velocities;
-        double *v = rolling ? &r->v_r_by[k - tr_n_sliding_velocities] : &r->v_s_by[k], right = *v;
-        for (int sign = -1; sign <= 1; sign += 2) {
-            *v = right + sign * 0.009;
-            assert_int_equal(crosses(&show), none);
-            *v = right + sign * 0.011;
-            assert_true(crosses(&show) > none + 20);
-            assert_true(count(panel, TR_GREEN) < green - 20);
-        }
-        *v = NAN;
-        assert_true(crosses(&show) > none + 20);
-        *v = right;
+    tr_draw_show(canvas, &show);
+    assert_int_equal(count(picture, TR_SLIDES) + count(picture, TR_ROLLS), 0);
+    free(h);
+}
+
+/* Each surface its own way: with V_s > 0 the lower surface, of the floor, goes to the left past that of the disk. */
+static void test_double_arrow_points_the_ways_of_the_surfaces(void **state) {
+    (void)state;
+    for (int sign = -1; sign <= 1; sign += 2) {
+        hand_made *h = hand_floor(10e-3, 0, 0, 0.2 * sign, 0);
+        tr_show_lane lane = hand_lane(h);
+        tr_show show = hand_show(&lane, 1);
+        show.range = 0.2;
+        tr_draw_show(canvas, &show);
+        double floor = middle_of(60, TR_WALL), sum[2] = {0}, n[2] = {0}; /* heads are where most of the pixels are */
+        rect e = extent(picture, TR_SLIDES);
+        for (int y = e.y0; y < e.y1; y++)
+            for (int x = e.x0; x < e.x1; x++)
+                if (pixel(x, y) == TR_SLIDES && fabs(y - floor) > 6) sum[y > floor] += x, n[y > floor]++;
+        double up = sum[0] / n[0], down = sum[1] / n[1];
+        assert_true(sign > 0 ? up > down + 4 : down > up + 4);
+        free(h);
     }
-    /* what is not said is not judged, nor another contact */
-    r->v_s_by[1] = 0.9;
-    expect.v_s = NAN;
-    assert_int_equal(crosses(&show), none);
-    expect = (tr_expect){0, 2, 0, 0};
-    assert_int_equal(crosses(&show), none);
-    assert_int_equal(count(panel, TR_GREEN), 0);
-    /* without colours: the bar of a wrong value has gaps */
-    tr_rgb above = tr_palette_diverging(0.75);
-    unsigned full =
-        (unsigned)lround(above.r * 255) << 16 | (unsigned)lround(above.g * 255) << 8 | (unsigned)lround(above.b * 255);
-    crosses(&show);
-    int solid = count(panel, full);
-    expect = (tr_expect){0, 1, 0.3, -0.2};
-    crosses(&show);
-    assert_true(solid > 1000 && count(panel, full) < solid - 300);
+}
+
+/* A rubbed trace lies where it is said to lie, turns with its disk, and a tick too. */
+static void test_marks_turn_with_their_disk(void **state) {
+    (void)state;
+    for (int number = 0; number < 2; number++)
+        for (int k = 0; k < 4; k++) {
+            hand_made *h = hand_floor(10e-3, 5e-3, k * M_PI / 2, 0, 0);
+            h->record[0].da = h->record[0].db = 0;
+            h->record[0].v_s_by[0] = h->record[0].v_r_by[0] = 0;
+            tr_rim_mark mark = {0, -0.3, 0.3, number};
+            if (number) mark.from = mark.to = 0;
+            tr_show_lane lane = hand_lane(h);
+            lane.mark = &mark, lane.n_marks = 1;
+            tr_show show = hand_show(&lane, 1);
+            show.range = 1;
+            tr_draw_show(canvas, &show);
+            rect disk = extent(picture, TR_DISK), m = extent(picture, number ? TR_ROLLS : TR_SLIDES);
+            double cx = 0.5 * (disk.x0 + disk.x1), cy = 0.5 * (disk.y0 + disk.y1), R = 0.5 * (disk.x1 - disk.x0);
+            double x = 0.5 * (m.x0 + m.x1) - cx, y = cy - 0.5 * (m.y0 + m.y1);
+            assert_close(remainder(atan2(y, x) - k * M_PI / 2, 2 * M_PI), 0, 0, 0.2); /* its number leans on it */
+            assert_true(hypot(x, y) > 0.9 * R);
+            free(h);
+        }
+}
+
+/* On a floor a trace is as long as it was rubbed. */
+static void test_rubbed_floor_is_as_long_as_said(void **state) {
+    (void)state;
+    hand_made *h = hand_floor(10e-3, 5e-3, 0, 0, 0);
+    h->record[0].da = h->record[0].db = 0;
+    tr_rim_mark mark = {-1, -15e-3, 25e-3, 0};
+    tr_show_lane lane = hand_lane(h);
+    lane.mark = &mark, lane.n_marks = 1;
+    tr_show show = hand_show(&lane, 1);
+    show.range = 1;
+    tr_draw_show(canvas, &show);
+    rect m = extent(picture, TR_SLIDES), disk = extent(picture, TR_DISK);
+    double scale = (disk.x1 - disk.x0 + 6) / 20e-3, middle = 0.5 * (disk.x0 + disk.x1); /* rims are 3 px */
+    assert_close(m.x0, middle - 20e-3 * scale, 0, 4); /* the disk is at 5 mm; strokes are 3.5 px */
+    assert_close(m.x1, middle + 20e-3 * scale, 0, 4);
     free(h);
 }
 
 /* Range of the plot from its horizontal grid is not known here; equal steps of value, and of time, are equal on paper. */
 static void test_chart_is_linear_in_value_and_time(void **state) {
     (void)state;
-    enum { LANE = 1 }; /* vermillion: nothing else in the chart has it, but its name above */
+    enum { LANE = 1 }; /* its curve alone has the colour, its mark alone is faint */
     hand_made *h = floor_scene();
     h->view.n_records = 0;
     tr_show_lane lane[] = {hand_lane(h), hand_lane(h)};
     tr_show show = hand_show(lane, 2);
     double time[2] = {0, 0}, value[2];
-    tr_chart chart = {.name = {"speed"}, .unit = "m/s", .top = 3, .bottom = -1, .n = 2, .time = time};
+    tr_chart chart = {
+        .name = {"speed"}, .hue = {TR_SLIDES}, .unit = "m/s", .top = 3, .bottom = -1, .n = 2, .time = time};
     chart.value[LANE][0] = value;
     chart.mark[0] = chart.mark[1] = NAN;
-    show.chart = &chart, show.time_end = 4;
+    show.chart = &chart, show.time_end = 4, show.expert = true;
     const rect plot = {900, 200, W, 640};
     double y[5], x[4], mark[4];
     for (int k = 0; k < 5; k++) {
         time[1] = 4, value[0] = value[1] = k - 1;
         tr_draw_show(canvas, &show);
-        rect e = extent((rect){930, 150, 1200, 640}, TR_VERMILLION);
+        rect e = extent((rect){930, 150, 1200, 640}, TR_SLIDES);
         y[k] = 0.5 * (e.y0 + e.y1);
         if (k > 0) assert_true(y[k] < y[k - 1] - 40);                /* upwards */
         if (k > 1) assert_close(y[k] - y[k - 1], y[1] - y[0], 0, 2); /* lines to half a pixel at each end */
@@ -367,7 +444,7 @@ static void test_chart_is_linear_in_value_and_time(void **state) {
     for (int k = 0; k < 4; k++) {
         time[1] = k + 0.5, value[0] = value[1] = 1;
         tr_draw_show(canvas, &show);
-        x[k] = extent(plot, TR_VERMILLION).x1; /* the marker at its end */
+        x[k] = extent(plot, TR_SLIDES).x1; /* the marker at its end */
         if (k > 1) assert_close(x[k] - x[k - 1], x[1] - x[0], 0, 2);
     }
     assert_true(x[1] > x[0] + 40);
@@ -376,16 +453,16 @@ static void test_chart_is_linear_in_value_and_time(void **state) {
     for (int k = 0; k < 4; k++) {
         chart.mark[LANE] = k + 0.5;
         tr_draw_show(canvas, &show);
-        rect e = extent(plot, TR_VERMILLION);
+        rect e = extent(plot, TR_FAINT);
         mark[k] = 0.5 * (e.x0 + e.x1);
         assert_close(x[k] - mark[k], x[0] - mark[0], 0, 2); /* where a curve ends at that time */
-        assert_true(e.x1 - e.x0 <= 4 && e.y1 - e.y0 > 200);
+        assert_true(e.x1 - e.x0 <= 16 && e.y1 - e.y0 > 200);
     }
     assert_true(x[0] - mark[0] < 10); /* half a marker */
     for (int k = 0; k < 3; k++) {
         chart.mark[LANE] = (double[]){NAN, -0.5, 4.4}[k];
         tr_draw_show(canvas, &show);
-        assert_int_equal(count(beside, TR_VERMILLION), 0);
+        assert_int_equal(count(beside, TR_FAINT), 0);
     }
     free(h);
 }
@@ -397,17 +474,17 @@ static void test_gap_in_a_curve_stays_a_gap(void **state) {
     tr_show_lane lane[] = {hand_lane(h), hand_lane(h)};
     tr_show show = hand_show(lane, 2);
     double time[] = {0, 1, 2, 3, 4}, value[] = {1, 1, NAN, 1, 1};
-    tr_chart chart = {.name = {"speed"}, .unit = "m/s", .top = 2, .n = 5, .time = time};
+    tr_chart chart = {.name = {"speed"}, .hue = {TR_SLIDES}, .unit = "m/s", .top = 2, .n = 5, .time = time};
     for (int i = 0; i < TR_MAX_LANES; i++) chart.mark[i] = NAN;
     chart.value[1][0] = value;
-    show.chart = &chart, show.time_end = 4;
+    show.chart = &chart, show.time_end = 4, show.expert = true;
     const rect plot = {900, 200, W, 640};
     tr_draw_show(canvas, &show);
-    rect e = extent(plot, TR_VERMILLION);
+    rect e = extent(plot, TR_SLIDES);
     int middle = (e.x0 + e.x1) / 2;
-    assert_int_equal(count((rect){middle - 60, 200, middle + 60, 640}, TR_VERMILLION), 0);
-    assert_true(count((rect){middle - 130, 200, middle - 90, 640}, TR_VERMILLION) > 60);
-    assert_true(count((rect){middle + 90, 200, middle + 130, 640}, TR_VERMILLION) > 60);
+    assert_int_equal(count((rect){middle - 60, 200, middle + 60, 640}, TR_SLIDES), 0);
+    assert_true(count((rect){middle - 130, 200, middle - 90, 640}, TR_SLIDES) > 60);
+    assert_true(count((rect){middle + 90, 200, middle + 130, 640}, TR_SLIDES) > 60);
     free(h);
 }
 
@@ -438,7 +515,7 @@ static void test_still_keeps_its_margins_and_verdicts(void **state) {
     tr_show_check check[8];
     for (int i = 0; i < 8; i++)
         check[i] = (tr_show_check){"", "final speed of the centre of disk 0", "0.6667 m/s", "0.6667 m/s", true};
-    show.caption = caption, show.check = check, show.n_checks = 2;
+    show.caption = caption, show.check = check, show.n_checks = 2, show.expert = true;
     tr_draw_show(canvas, &show);
     for (int y = 0; y < H; y++)
         for (int x = 0; x < W; x++)
@@ -446,12 +523,13 @@ static void test_still_keeps_its_margins_and_verdicts(void **state) {
                 fail_msg("the margin has ink at (%d, %d)", x, y);
     const rect table = {845, 66, 890, 200};
     int green = count(table, TR_GREEN);
-    assert_true(green > 40 && count(table, TR_VERMILLION) == 0);
+    int ink = count(table, TR_INK);
+    assert_true(green > 40);
     check[1].ok = false;
     tr_draw_show(canvas, &show);
     assert_close(count(table, TR_GREEN), green / 2.0, 0, 3); /* two ticks, then one; edges differ by a pixel's place */
-    assert_true(count(table, TR_VERMILLION) > 20);
-    show.n_checks = 8; /* more than fit: nothing runs over the caption */
+    assert_true(count(table, TR_INK) > ink + 20);            /* the cross */
+    show.n_checks = 8;                                       /* more than fit: nothing runs over the caption */
     unsigned char *before = copy();
     tr_draw_show(canvas, &show);
     assert_int_equal(differ(before, (rect){0, 580, W, H}, 8), 0);
@@ -489,13 +567,13 @@ static void draw_bad(int lanes, int which, double bad) {
     assert_true(tr_patch_state_new(&inside, &pair, 10, &st));
     tr_patch_state_grid(&inside, &pair, 1000);
     double trace[] = {0, 0, 14e-3, 0}, time[] = {0, 0.1}, value[] = {0, 1};
-    tr_expect expect = {-1, 0, 0, 0};
+    tr_rim_mark mark[] = {{0, 0.1, 0.9, 0}, {-1, -0.01, 0.01, 3}};
     tr_chart chart = {.name = {"V_s", "V_r"}, .unit = "m/s", .top = 1, .n = 2, .time = time};
     tr_show_lane lane[TR_MAX_LANES];
     for (int i = 0; i < TR_MAX_LANES; i++) {
         lane[i] = hand_lane(h);
         lane[i].label = "μ = 0.1, and more words than there is room for", lane[i].slope = 0.1, lane[i].tilt = 0.1;
-        lane[i].trace = trace, lane[i].n_trace = 2, lane[i].expect = &expect, lane[i].n_expect = 1;
+        lane[i].trace = trace, lane[i].n_trace = 2, lane[i].mark = mark, lane[i].n_marks = 2;
         lane[i].inset = &inside, lane[i].inset_pair = &pair, lane[i].inset_a = -1;
         chart.value[i][0] = chart.value[i][1] = value, chart.mark[i] = 0.1;
     }
@@ -521,7 +599,7 @@ static void draw_bad(int lanes, int which, double bad) {
                               &lane[0].x0,
                               &lane[0].y1,
                               &trace[2],
-                              &expect.v_s,
+                              &mark[0].to,
                               &chart.top,
                               &chart.bottom,
                               &time[1],
@@ -540,7 +618,7 @@ static void draw_bad(int lanes, int which, double bad) {
     if (which == n + 2)
         for (int i = 0; i < TR_MAX_LANES; i++) lane[i].n_records = 0;
     for (int still = 0; still < 2; still++) {
-        show.caption = still ? "One sentence." : NULL, show.n_checks = still;
+        show.caption = still ? "One sentence." : NULL, show.n_checks = still, show.expert = still == which % 2;
         tr_draw_show(canvas, &show);
         if (pixel(0, 0) != TR_WHITE) fail_msg("%d lanes, number %d = %g, still %d", lanes, which, bad, still);
     }
@@ -581,7 +659,11 @@ int main(void) {
         cmocka_unit_test(test_lanes_share_a_scale),
         cmocka_unit_test(test_nothing_leaves_its_cell),
         cmocka_unit_test(test_every_number_of_lanes_has_its_cells),
-        cmocka_unit_test(test_cross_when_and_only_when_a_definition_is_off),
+        cmocka_unit_test(test_definition_is_hatched_when_and_only_when_it_differs),
+        cmocka_unit_test(test_lamp_says_what_the_contact_does),
+        cmocka_unit_test(test_double_arrow_points_the_ways_of_the_surfaces),
+        cmocka_unit_test(test_marks_turn_with_their_disk),
+        cmocka_unit_test(test_rubbed_floor_is_as_long_as_said),
         cmocka_unit_test(test_chart_is_linear_in_value_and_time),
         cmocka_unit_test(test_gap_in_a_curve_stays_a_gap),
         cmocka_unit_test(test_paragraph_breaks_lines_and_then_shrinks),

@@ -170,7 +170,7 @@ static void a_bar_in_two_colours(void **state) {
                         .y1 = 0.05};
         tr_draw_biaxial(canvas, &view);
         int left[2] = {TR_FRAME_WIDTH, TR_FRAME_WIDTH}, right[2] = {0};
-        unsigned hue[] = {TR_STICKS, TR_SLIPS};
+        unsigned hue[] = {TR_STICKS, TR_SLIDES};
         for (int x = 0; x < 840; x++)
             for (int k = 0; k < 2; k++)
                 for (int y = 100; y < 600; y++)

@@ -13,6 +13,39 @@ for script in figures/*.sh; do
     check "$figure: has a script that draws it" test -s "figures/$figure.gp"
 done
 
+# Two colours have one meaning each, TR_SLIDES and TR_ROLLS of src/draw/palette.h; a figure has no other orange (hue 10 to 50 degrees) and no
+# other blue (190 to 260), but greys of little colour, and the pale ends of the two ramps.
+hues_of() { # FILES: oranges and blues that mean nothing
+    awk '
+        FNR == 1 {file = FILENAME}
+        {
+            for (line = tolower($0); match(line, /#[0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f][0-9a-f]/); line = substr(line, RSTART + 7)) {
+                hex = substr(line, RSTART, 7)
+                for (k = 0; k < 3; k++) c[k] = (16*(index("0123456789abcdef", substr(hex, 2 + 2*k, 1)) - 1) + index("0123456789abcdef", substr(hex, 3 + 2*k, 1)) - 1)/255
+                high = c[0] > c[1] ? c[0] : c[1]; if (c[2] > high) high = c[2]
+                low = c[0] < c[1] ? c[0] : c[1]; if (c[2] < low) low = c[2]
+                if (high - low < 0.15) continue
+                if (high == c[0]) hue = (c[1] - c[2])/(high - low)
+                else if (high == c[1]) hue = 2 + (c[2] - c[0])/(high - low)
+                else hue = 4 + (c[0] - c[1])/(high - low)
+                hue *= 60; if (hue < 0) hue += 360
+                if (hue >= 10 && hue <= 50 || hue >= 190 && hue <= 260) print file ":" FNR ": " hex
+            }
+        }' "$@" | grep -viE '#(c75000|00457c|f3d3bc|e39a66|662900|c6d6e6|6d9ac4|00203a)$'
+}
+palette_is() { # the hues above are those of the palette
+    for hue in C75000 00457C F3D3BC E39A66 662900 C6D6E6 6D9AC4 00203A; do
+        grep -q "0x$hue" src/draw/palette.h src/draw/palette.c || { echo "$hue is not in the palette"; return 1; }
+    done
+}
+# shellcheck disable=SC2046 # a list of names
+check 'no orange and no blue but sliding and rolling' is_silent hues_of $(find figures src/out src/draw -name '*.gp' -o -name '*.css' -o -name plot.c)
+check 'which are those of the palette' palette_is
+echo "set style line 1 lc rgb '#d55e00'" >"$work/orange.gp"
+echo "set style line 1 lc rgb '#0072B2'" >"$work/blue.gp"
+check 'an orange is seen' test -n "$(hues_of "$work/orange.gp")"
+check 'a blue is seen' test -n "$(hues_of "$work/blue.gp")"
+
 # What make figures would run: a long study among it takes minutes to hours. Each is a target of its own.
 long='figures/(wang|bands|kuhn|replay)/|trundle (bench|verify|sweep)'
 would() { MAKEFLAGS='' MAKELEVEL='' make -n "$@" 2>&1; }
