@@ -52,6 +52,7 @@ typedef struct tr_rim_mark {
     int body;        /* disk, or -1-w for wall w */
     double from, to; /* rubbed from..to; a tick is at `to` */
     int number;      /* of the tick; 0: rubbed */
+    double apart;    /* of ticks: way to the next [m] */
 } tr_rim_mark;
 
 /* One number of the table of checks, as text. */

@@ -115,7 +115,7 @@ static tr_grid lay_grid(cairo_t *cr, const tr_show *show, tr_box box) {
 }
 
 /* The contact enlarged, and a line to it while there is one. */
-static void draw_inset(const tr_stage *s, tr_box box) {
+static void draw_inset(const tr_stage *s, tr_box box, bool expert) {
     const tr_show_lane *lane = s->lane;
     for (int i = 0; i < lane->n_records && lane->inset->P > 0; i++) {
         const tr_record *r = &lane->record[i];
@@ -127,9 +127,9 @@ static void draw_inset(const tr_stage *s, tr_box box) {
         tr_pen_hue(s->cr, TR_INK);
         tr_pen_line(s->cr, p, to, 1.5);
     }
-    tr_pen_text(s->cr, (tr_text){.x = box.x, .y = box.y + 18, .size = 18, .room = box.w},
+    tr_pen_text(s->cr, (tr_text){.x = box.x, .y = box.y + 18, .size = expert ? 18 : 24, .room = box.w},
                 TR_SAY(s->cr, inside_enlarged));
-    tr_draw_patch_inset(s->cr, box.x, box.y + 24, box.w, box.h - 24, lane->inset, lane->inset_pair);
+    tr_draw_patch_inset(s->cr, box.x, box.y + 24, box.w, box.h - 24, lane->inset, lane->inset_pair, expert);
 }
 
 static tr_stage draw_lane(cairo_t *cr, const tr_show *show, const tr_grid *grid, double range, int i) {
@@ -151,7 +151,7 @@ static tr_stage draw_lane(cairo_t *cr, const tr_show *show, const tr_grid *grid,
     }
     if (lane->label) tr_pen_paragraph(cr, at, grid->lines, lane->label, true);
     tr_class_pair(cr, cell.pair, lane, range);
-    if (cell.inset.h > 0 && lane->inset && lane->inset_pair) draw_inset(&stage, cell.inset);
+    if (cell.inset.h > 0 && lane->inset && lane->inset_pair) draw_inset(&stage, cell.inset, show->expert);
     return stage;
 }
 
@@ -161,7 +161,8 @@ static void draw_panel(const tr_show *show, const tr_stage *stage, tr_box box) {
     const bool one = show->n_lanes == 1, inset = one && stage->lane->inset && stage->lane->inset_pair;
     double checks = show->expert ? fmin(tr_panel_checks_height(show->check, show->n_checks), 0.7 * box.h)
                                  : tr_class_checks_height(show->check, show->n_checks);
-    double inside = inset ? INSET_H + GAP : 0;
+    const double inset_h = show->chart && !show->expert ? 0.78 * INSET_H : INSET_H; /* large type needs room */
+    double inside = inset ? inset_h + GAP : 0;
     if (checks > 0)
         (show->expert ? tr_panel_checks : tr_class_checks)(cr, (tr_box){box.x, box.y, box.w, checks}, show->check,
                                                            show->n_checks);
@@ -175,9 +176,9 @@ static void draw_panel(const tr_show *show, const tr_stage *stage, tr_box box) {
         bool drawn = tr_panel_bars(cr, (tr_box){box.x, box.y, box.w, bars}, stage->lane, stage->range);
         if (drawn) box.y += bars, box.h -= bars;
     }
-    if (inset) draw_inset(stage, (tr_box){box.x, box.y + GAP, box.w, INSET_H});
+    if (inset) draw_inset(stage, (tr_box){box.x, box.y + GAP, box.w, inset_h}, show->expert);
     box.y += inside, box.h -= inside;
-    if (show->chart && box.h > 0.75 * CHART_H) /* less than that is a legend without curves */
+    if (show->chart && box.h > 0.66 * CHART_H) /* less than that is a legend without curves */
         tr_show_chart(cr, (tr_box){box.x, box.y + 6, box.w, box.h - 6}, show);
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "draw/patch_plot.h"
 #include "draw/frame.h"
+#include "draw/say.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -146,10 +147,10 @@ static void draw_axis(const tr_patch_plot *p) {
         tr_pen_hue(p->cr, TR_INK);
         tr_pen_line(p->cr, (tr_point){x, bottom}, (tr_point){x, bottom - (k % 2 ? 6 : 10)}, 2);
         at.x = p->x0 + k * apart / 2;
-        if (k % 2 == 0) tr_pen_text(p->cr, at, number[k / 2 + 1]);
+        if (k % 2 == 0 && !p->plain) tr_pen_text(p->cr, at, number[k / 2 + 1]);
     }
     at.x = p->x0 + p->reach, at.align = TR_RIGHT;
-    tr_pen_text(p->cr, at, "x/a");
+    if (!p->plain) tr_pen_text(p->cr, at, "x/a");
 }
 
 void tr_patch_plot_draw(const tr_patch_plot *p) {
@@ -165,34 +166,37 @@ void tr_patch_plot_draw(const tr_patch_plot *p) {
             p->cr,
             (tr_text){
                 .x = p->x0, .y = p->y0 - 0.8 * p->text, .size = 1.2 * p->text, .align = TR_CENTRE, .hue = TR_FAINT},
-            "no contact, no traction");
+            TR_SAY(p->cr, no_traction));
 }
 
 /* Its own scale: hatched where it sticks; from light to dark the slip since the last step of the solver. */
 static void draw_scale(const tr_patch_plot *p, double x, double y, double width) {
-    const double box = 1.6 * p->text, high = 0.75 * p->text, ramp = 3 * p->text;
-    char label[48] = "no slip", number[24];
+    const double box = 1.6 * p->text, high = 0.75 * p->text, ramp = (p->plain ? 1.6 : 3) * p->text;
+    char label[64], number[24];
     tr_patch_plot_hatch(p->cr, x, y - high, box, high);
-    double at =
-        x + box + 8 + tr_pen_text(p->cr, (tr_text){.x = x + box + 8, .y = y, .size = p->text}, "stick") + p->text;
-    for (int k = 0; p->slip_range > 0 && k < (int)ramp; k++) {
-        cairo_rectangle(p->cr, nearbyint(at) + k, y - high, 1, high);
+    tr_text at = {.x = x + box + 8, .y = y, .size = p->text};
+    at.x += tr_pen_text(p->cr, at, TR_SAY(p->cr, sticks)) + p->text;
+    for (int k = 0; k < (int)ramp && (p->slip_range > 0 || p->plain); k++) {
+        cairo_rectangle(p->cr, nearbyint(at.x) + k, y - high, 1, high);
         tr_pen_rgb(p->cr, tr_palette_ramp(TR_RAMP_SLIDING, k / ramp));
         cairo_fill(p->cr);
     }
-    if (p->slip_range > 0) {
+    if (p->slip_range > 0 || p->plain) at.x += ramp + 8;
+    snprintf(label, sizeof label, "%s", p->plain ? TR_SAY(p->cr, slips) : TR_SAY(p->cr, no_slip));
+    if (p->slip_range > 0 && !p->plain) {
         tr_unit unit = tr_frame_unit(p->slip_range, "m");
         unit.decimals = 0;
         tr_frame_number(number, sizeof number, p->slip_range, &unit, false);
-        snprintf(label, sizeof label, "slip 0 to %s %s", number, unit.name);
-        at += ramp + 8;
+        tr_words_fill(label, sizeof label, TR_SAY(p->cr, slip_to), number, unit.name);
     }
-    tr_pen_text(p->cr, (tr_text){.x = at, .y = y, .size = p->text, .room = x + width - at}, label);
+    at.room = x + width - at.x;
+    tr_pen_text(p->cr, at, label);
 }
 
 void tr_draw_patch_inset(cairo_t *cr, double x, double y, double width, double height, const tr_patch_state *state,
-                         const tr_patch_pair *pair) {
-    double text = fmin(fmax(0.1 * height, 16), 24), reach = 0.5 * width - 4, half = 0.5 * (height - 3 * text) - 4;
+                         const tr_patch_pair *pair, bool expert) {
+    double text = expert ? fmin(fmax(0.1 * height, 16), 24) : 24, reach = 0.5 * width - 4,
+           half = 0.5 * (height - (expert ? 3 : 1.6) * text) - 4;
     bool open = !(state->P > 0);
     tr_patch_plot plot = {.cr = cr,
                           .pair = pair,
@@ -203,7 +207,8 @@ void tr_draw_patch_inset(cairo_t *cr, double x, double y, double width, double h
                           .reach = reach,
                           .half = half,
                           .slip_range = tr_patch_slip_range(state),
-                          .text = text};
+                          .text = text,
+                          .plain = !expert};
     plot.scale = open ? 0 : 0.95 * half / (pair->mu * tr_patch_p0(pair, state->P));
     cairo_save(cr);
     tr_pen_hue(cr, TR_WHITE);

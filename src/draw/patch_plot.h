@@ -19,6 +19,7 @@ typedef struct tr_patch_plot {
     double reach, half;      /* of the axes from x0, and from y0 [px] */
     double slip_range;       /* end of the colours [m] */
     double text;             /* size of the letters [px] */
+    bool plain;              /* no numbers along the axis */
 } tr_patch_plot;
 
 /* u between -1 and 1; 0 if it is not finite. */
@@ -39,8 +40,9 @@ void tr_patch_plot_arrows(const tr_patch_plot *plot, double y, int way);
 /* The hatching of stick in a rectangle. */
 void tr_patch_plot_hatch(cairo_t *cr, double x, double y, double width, double height);
 
-/* The same picture, small, for other frames; ranges of this state, with a scale of its slip. 240 x 160 px or more. */
+/* The same picture, small, for other frames; ranges of this state, with a scale of its slip. 240 x 160 px or more. A
+ * class has no numbers, and letters of 24 px. */
 void tr_draw_patch_inset(cairo_t *cr, double x, double y, double width, double height, const tr_patch_state *state,
-                         const tr_patch_pair *pair);
+                         const tr_patch_pair *pair, bool expert);
 
 #endif

@@ -59,6 +59,7 @@ double tr_class_panel(cairo_t *cr, tr_box box, const tr_show_lane *lane, double 
     const double gap = 14, bars = 2 * bar_h + lamp_h + 6;
     if (n == 0) return draw_none(cr, box), fmin(44, box.h);
     bool slid = n <= TR_CLASS_NUMBERS && n * (bars + slid_h + gap) <= box.h;
+    if (n == 1 && !slid) box.h = fmax(box.h, bars + gap);
     double each = bars + (slid ? slid_h : 0) + gap;
     if (n * each > box.h) n = (int)(box.h / each);
     tr_unit unit = tr_frame_unit(range, "m/s");

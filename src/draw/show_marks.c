@@ -94,8 +94,8 @@ static void draw_tick(const tr_stage *s, const tr_surface *u, const tr_rim_mark 
     if (!tr_frame_seen(p, 1) || !tr_frame_seen(q, 1)) return;
     tr_pen_hue(s->cr, TR_ROLLS);
     tr_pen_line(s->cr, p, q, 4);
-    bool close = u->disk && u->radius < 110; /* then every other tick is numbered */
-    if (u->disk && (u->radius < 45 || (close && m->number % 2))) return;
+    double apart = m->apart * s->map.scale, every = apart > 0 ? ceil((u->disk ? 56 : 44) / apart) : 1;
+    if ((u->disk && u->radius < 45) || fmod(m->number, every) != 0) return; /* else numbers would run into each other */
     char number[16];
     snprintf(number, sizeof number, "%d", m->number);
     p = on(u, at, u->disk ? length + 0.62 * TR_CLASS_TYPE : -length - 3 - 0.6 * TR_CLASS_TYPE);

@@ -28,7 +28,7 @@ static void rub(tr_contact_marks *c, const tr_record *r, const double to[2]) {
         c->n_rubs--;
     }
     for (int end = 0; end < 2; end++) {
-        if (!c->rubs) c->rub[c->n_rubs][end] = (tr_rim_mark){end ? r->b : r->a, c->at[end], c->at[end], 0};
+        if (!c->rubs) c->rub[c->n_rubs][end] = (tr_rim_mark){end ? r->b : r->a, c->at[end], c->at[end], 0, 0};
         tr_rim_mark *m = &c->rub[c->n_rubs - c->rubs][end];
         m->from = fmin(m->from, to[end]), m->to = fmax(m->to, to[end]);
     }
@@ -49,7 +49,7 @@ static void roll(tr_contact_marks *c, const tr_record *r, const double to[2]) {
         }
         for (int b = 0; b < 2; b++) {
             double at = c->at[b] + part * (to[b] - c->at[b]);
-            c->tick[c->n_ticks][b] = (tr_rim_mark){b ? r->b : r->a, at, at, (int)k};
+            c->tick[c->n_ticks][b] = (tr_rim_mark){b ? r->b : r->a, at, at, (int)k, apart};
         }
         c->n_ticks++;
     }

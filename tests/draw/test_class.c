@@ -61,7 +61,7 @@ static void draw_all(int lanes, int contacts, bool still, tr_language language) 
         hand_disk(h, (double[]){14e-3 + 20e-3 * i, 10e-3, 0.3, 10e-3}, (double[]){-0.1, 0.15, 9, 0});
         hand_contact(h, i - 1, i, 0.1, -0.05, 8e-3, -5e-3);
     }
-    tr_rim_mark mark[] = {{0, 0.1, 0.9, 0}, {-1, -0.01, 0.01, 0}, {0, 0, 0, 3}, {-1, 0, 0, 3}};
+    tr_rim_mark mark[] = {{0, 0.1, 0.9, 0, 0}, {-1, -0.01, 0.01, 0, 0}, {0, 0, 0, 3, 0.1}, {-1, 0, 0, 3, 0.1}};
     double trace[] = {0, 0, 14e-3, 0};
     tr_show_lane lane[TR_MAX_LANES];
     for (int i = 0; i < lanes; i++) {

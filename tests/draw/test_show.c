@@ -383,7 +383,7 @@ static void test_marks_turn_with_their_disk(void **state) {
             hand_made *h = hand_floor(10e-3, 5e-3, k * M_PI / 2, 0, 0);
             h->record[0].da = h->record[0].db = 0;
             h->record[0].v_s_by[0] = h->record[0].v_r_by[0] = 0;
-            tr_rim_mark mark = {0, -0.3, 0.3, number};
+            tr_rim_mark mark = {0, -0.3, 0.3, number, 0.1};
             if (number) mark.from = mark.to = 0;
             tr_show_lane lane = hand_lane(h);
             lane.mark = &mark, lane.n_marks = 1;
@@ -404,7 +404,7 @@ static void test_rubbed_floor_is_as_long_as_said(void **state) {
     (void)state;
     hand_made *h = hand_floor(10e-3, 5e-3, 0, 0, 0);
     h->record[0].da = h->record[0].db = 0;
-    tr_rim_mark mark = {-1, -15e-3, 25e-3, 0};
+    tr_rim_mark mark = {-1, -15e-3, 25e-3, 0, 0};
     tr_show_lane lane = hand_lane(h);
     lane.mark = &mark, lane.n_marks = 1;
     tr_show show = hand_show(&lane, 1);
@@ -567,7 +567,7 @@ static void draw_bad(int lanes, int which, double bad) {
     assert_true(tr_patch_state_new(&inside, &pair, 10, &st));
     tr_patch_state_grid(&inside, &pair, 1000);
     double trace[] = {0, 0, 14e-3, 0}, time[] = {0, 0.1}, value[] = {0, 1};
-    tr_rim_mark mark[] = {{0, 0.1, 0.9, 0}, {-1, -0.01, 0.01, 3}};
+    tr_rim_mark mark[] = {{0, 0.1, 0.9, 0, 0}, {-1, -0.01, 0.01, 3, 0.1}};
     tr_chart chart = {.name = {"V_s", "V_r"}, .unit = "m/s", .top = 1, .n = 2, .time = time};
     tr_show_lane lane[TR_MAX_LANES];
     for (int i = 0; i < TR_MAX_LANES; i++) {
