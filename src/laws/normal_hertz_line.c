@@ -123,13 +123,13 @@ static void state(const tr_tile *tile, const tr_law_data *data, double *stored, 
     for (int i = 0; i < tile->n; i++) {
         line l = line_at(tile, data, i);
         double P = tile->f_elastic[i], w = w_at_force(&l, P);
-        stored[i] = !(P > 0) ? 0 : w < LEAST ? at_overlap(&l, tile->delta[i], log).energy : energy(&l, P, w);
+        stored[i] = !(P > 0) ? 0 : w < LEAST ? at_overlap(&l, tile->delta[i], tr_log).energy : energy(&l, P, w);
     }
 }
 
 static tr_elastic elastic(const void *par, double R1, double R2, double delta) {
     line l = line_of(par, R1, R2);
-    return at_overlap(&l, delta, log);
+    return at_overlap(&l, delta, tr_log);
 }
 
 static double overlap(const void *par, double R1, double R2, double force) {

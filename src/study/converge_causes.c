@@ -2,6 +2,7 @@
 #include "study/converge_causes.h"
 
 #include "laws/law.h"
+#include "base/math.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -98,7 +99,7 @@ bool tr_cause_applies(const tr_cause *cause, const tr_scene *scene) {
 }
 
 double tr_cause_setting(const tr_cause *cause, const tr_scene *scene, int item, int level) {
-    double x = cause->own(scene, item) * pow(cause->finer, level);
+    double x = cause->own(scene, item) * tr_pow(cause->finer, level);
     bool fits = x >= cause->least && x <= cause->most && (!cause->whole || x == floor(x));
     return fits ? x : NAN;
 }

@@ -2,6 +2,7 @@
 #include "study/converge_cost.h"
 
 #include "laws/law.h"
+#include "base/math.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -56,5 +57,5 @@ double tr_converge_cost(const tr_converge *c, const tr_converge_ladder *l, int l
     int near = l->own;
     for (int k = 0; k < l->n; k++)
         if (l->level[k].state == TR_LEVEL_DONE && abs(k - level) < abs(near - level)) near = k;
-    return tr_converge_wall(c, l->level[near].seconds * pow(l->cause->cost, level - near), c->n_seeds);
+    return tr_converge_wall(c, l->level[near].seconds * tr_pow(l->cause->cost, level - near), c->n_seeds);
 }

@@ -2,6 +2,7 @@
 #include "study/converge_errors.h"
 
 #include "base/student.h"
+#include "base/math.h"
 #include <math.h>
 
 double tr_converge_value(const tr_converge *c, const tr_converge_ladder *l, int q, int level) {
@@ -44,9 +45,9 @@ static double share(const tr_converge *c, int q) {
 static double wanted(const tr_converge *c, const tr_converge_ladder *l, int q) {
     const tr_ladder *of = &l->of[q];
     for (int k = 0; k < l->n; k++)
-        if (tr_converge_error(c, l, q, k) <= share(c, q)) return pow(l->cause->finer, k - l->own);
+        if (tr_converge_error(c, l, q, k) <= share(c, q)) return tr_pow(l->cause->finer, k - l->own);
     if (of->verdict != TR_VERDICT_ORDER || !(of->half > 0)) return NAN;
-    double times = pow(share(c, q) / of->half, 1 / of->order); /* of the length h */
+    double times = tr_pow(share(c, q) / of->half, 1 / of->order); /* of the length h */
     return l->cause->finer < 1 ? times : 1 / times;
 }
 

@@ -2,6 +2,7 @@
 #include "study/converge_ladder.h"
 
 #include "base/student.h"
+#include "base/math.h"
 #include <math.h>
 
 /* Of a run of 1e6 steps, each with an error of 1e-16. */
@@ -25,7 +26,7 @@ static double order_of(const double *v, double r) {
 }
 
 static double richardson(const double *v, double p, double r) {
-    return v[2] + (v[2] - v[1]) / (pow(r, p) - 1);
+    return v[2] + (v[2] - v[1]) / (tr_pow(r, p) - 1);
 }
 
 /* v: levels first ... last without a gap. */
@@ -56,7 +57,7 @@ static bool find_scatter(tr_ladder *l, const double *v, int first, int last, dou
     double q = -(n * xy - x * y) / (n * xx - x * x);
     if (n < LEAST || !(q >= 0.5)) return false;
     q = fmin(q, 1);
-    for (int k = first; k < last; k++) top = fmax(top, change(v, k, last) * pow(r, q * (k - last)));
+    for (int k = first; k < last; k++) top = fmax(top, change(v, k, last) * tr_pow(r, q * (k - last)));
     l->verdict = TR_VERDICT_SCATTERED;
     l->limit = v[last], l->unsure = 2 * top;
     return true;
