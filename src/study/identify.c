@@ -2,7 +2,6 @@
 #include "study/identify.h"
 
 #include "base/alloc.h"
-#include "study/identify_judge.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -39,8 +38,4 @@ void tr_identify_free(tr_identify *w) {
     tr_states_free(&w->states);
     tr_probes_free(&w->probes);
     tr_questions_free(&w->questions);
-}
-
-bool tr_identify_is_good(const tr_identified *f) {
-    return !f->unclear && f->objective != TR_NO && f->balanced != TR_NO && f->conjugate != TR_NO;
 }

@@ -61,10 +61,11 @@ void tr_probes_free(tr_probes *p) {
 }
 
 /* Of lengths and of velocities: relative to the greatest of both. A form that has no value somewhere differs. */
-double tr_fit_difference(const tr_form *a, const tr_form *b, const tr_probes *probes, int *where) {
+double tr_fit_difference(const tr_form *a, const tr_form *b, bool wall, const tr_probes *probes, int *where) {
     double scale = 0, most = 0;
     *where = 0;
     for (int i = 0; i < probes->n / 2; i++) {
+        if (isinf(probes->states.motion[i].R1) != wall) continue;
         double x = tr_forms_value(a, &probes->states, i), y = tr_forms_value(b, &probes->states, i);
         if (isnan(x) && isnan(y)) continue;
         if (isnan(x) || isnan(y)) return 1;
@@ -129,10 +130,10 @@ static bool consider(search *s, tr_form form) {
     for (int k = 0; k < q->n; k++) {
         double w = q->length ? 1 / (q->y[k] * q->y[k]) : 1;
         s->x[k] = tr_forms_value(&form, s->states, q->row[k]);
-        if (isnan(s->x[k])) return true;
+        if (!isfinite(s->x[k])) return true;
         xy += w * s->x[k] * q->y[k], xx += w * s->x[k] * s->x[k];
     }
-    if (!(xx > 0) || xy == 0) return true;
+    if (!(xx > 0) || xy == 0 || !isfinite(xy / xx)) return true;
     double c = xy / xx, near = 1;
     for (int k = 0; k < tr_n_factors; k++)
         if (fabs(log(fabs(c) / tr_factors[k].value)) < fabs(log(fabs(c) / near))) near = tr_factors[k].value;
@@ -211,7 +212,7 @@ static void add_same(tr_fit *fit, const tr_form *form) {
 static void add_tie(tr_fit *fit, const tr_form *form, const tr_probes *probes) {
     int where;
     for (int k = 0; k < fit->n_ties; k++)
-        if (tr_fit_difference(form, &fit->tie[k], probes, &where) < SAME) return;
+        if (tr_fit_difference(form, &fit->tie[k], fit->question->wall, probes, &where) < SAME) return;
     if (fit->n_ties < TR_MOST_TIES) fit->tie[fit->n_ties++] = *form;
 }
 
@@ -228,24 +229,24 @@ static void choose(tr_fit *fit, const candidate *c, int n, const tr_probes *prob
         for (int i = 0; i < ties; i++) {
             if (c[i].cost > cost && (next < 0 || c[i].cost < next)) next = c[i].cost;
             if (c[i].cost != cost || i == best) continue;
-            if (tr_fit_difference(&c[i].form, &fit->best, probes, &where) < SAME)
+            if (tr_fit_difference(&c[i].form, &fit->best, fit->question->wall, probes, &where) < SAME)
                 add_same(fit, &c[i].form);
             else
                 add_tie(fit, &c[i].form, probes);
         }
         if (next < 0) break;
     }
-    if (fit->n_ties) tr_fit_difference(&fit->best, &fit->tie[0], probes, &fit->apart);
+    if (fit->n_ties) tr_fit_difference(&fit->best, &fit->tie[0], fit->question->wall, probes, &fit->apart);
     for (int i = 0; i < n && !fit->has_runner; i++)
-        if (tr_fit_difference(&c[i].form, &fit->best, probes, &where) >= SAME)
+        if (tr_fit_difference(&c[i].form, &fit->best, fit->question->wall, probes, &where) >= SAME)
             fit->runner = c[i].form, fit->runner_error = c[i].error, fit->has_runner = true;
 }
 
-static bool is_objective(const tr_form *form, const tr_probes *probes) {
+static bool is_objective(const tr_form *form, bool wall, const tr_probes *probes) {
     double scale = 0, off = 0;
     for (int i = 0; i < probes->n / 2; i++) {
+        if (isinf(probes->states.motion[i].R1) != wall) continue;
         double x = tr_forms_value(form, &probes->states, i);
-        if (isnan(x)) continue;
         scale = fmax(scale, fabs(x));
         off = fmax(off, fabs(x - tr_forms_value(form, &probes->states, probes->n / 2 + i)));
     }
@@ -307,7 +308,7 @@ bool tr_fit_question(tr_fit *fit, const tr_question *q, const tr_identify_table 
         qsort(s.found, (size_t)s.n, sizeof *s.found, by_error);
         s.n = drop_odd(s.found, s.n);
         choose(fit, s.found, s.n, probes);
-        fit->objective = is_objective(&fit->best, probes);
+        fit->objective = is_objective(&fit->best, q->wall, probes);
     }
     ok = ok && compare_observers(fit, q, table, states, st);
     free(s.found), free(s.x);

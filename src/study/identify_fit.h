@@ -38,7 +38,7 @@ typedef struct tr_fit {
 bool tr_fit_question(tr_fit *fit, const tr_question *q, const tr_identify_table *table, const tr_states *states,
                      const tr_probes *probes, tr_status *st);
 
-/* Relative difference of two forms on the probes: greatest, and the probe where it is. */
-double tr_fit_difference(const tr_form *a, const tr_form *b, const tr_probes *probes, int *where);
+/* Relative difference of two forms on the probes with or without a wall: greatest, and the probe where it is. */
+double tr_fit_difference(const tr_form *a, const tr_form *b, bool wall, const tr_probes *probes, int *where);
 
 #endif

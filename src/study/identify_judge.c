@@ -105,16 +105,13 @@ static void judge_sum(tr_identify *w) {
                part, q->sum_line);
 }
 
-/* Power of the moments on probe i; without one of them, it is the opposite of the other. */
+/* Power of the moments of two disks on probe i; without one of them, it is the opposite of the other. */
 static double rolling_power(const tr_identify *w, const tr_fit *M1, const tr_fit *M2, int i) {
-    const tr_motion_measures *m = &w->probes.states.measures[0][i];
     const tr_motion *v = &w->probes.states.motion[i];
-    (void)m;
     double of1 = M1 ? -tr_forms_value(&M1->best, &w->probes.states, i) : 0;
     double of2 = M2 ? tr_forms_value(&M2->best, &w->probes.states, i) : -of1;
     if (!M1) of1 = -of2;
-    bool wall = isinf(v->R1);
-    return of1 * (wall ? 0 : v->w1) + of2 * (wall ? v->w2 - v->w1 : v->w2);
+    return of1 * v->w1 + of2 * v->w2;
 }
 
 /* The moments of a spring on V_r do the power -T V_r, if they are T dV_r/dw: of opposite moments V_r is a length times w1
@@ -126,7 +123,7 @@ static void judge_rolling_power(tr_identify *w) {
     const tr_probes *p = &w->probes;
     double off = 0, sign = 0;
     enum { AT_ONE_PLACE = 4 };
-    for (int i = 0; i < p->n / 2; i += AT_ONE_PLACE) {
+    for (int i = 0; i < p->n / 2 && !isinf(p->states.motion[i].R1); i += AT_ONE_PLACE) {
         double first = 0;
         for (int k = 0; k < AT_ONE_PLACE; k++) {
             double spin = p->states.motion[i + k].w1 - p->states.motion[i + k].w2;
@@ -187,44 +184,57 @@ static void judge_arms(tr_identify *w, const tr_fit *one, const tr_fit *two) {
             over);
 }
 
-static void judge_friction_power(tr_identify *w, const tr_fit *one, const tr_fit *two) {
+typedef struct gap {
+    double worst, at, greatest; /* m/s; overlap over R1+R2 (R2 at a wall); V_s */
+} gap;
+
+/* Power of a unit force of friction less the sliding velocity, over the rows of the file. one: NULL at a wall. */
+static gap power_gap(const tr_identify *w, const tr_form *velocity, const tr_fit *one, const tr_fit *two, bool wall) {
+    gap g = {0};
+    for (int i = 0; i < w->states.n; i++) {
+        const tr_motion *m = &w->states.motion[i];
+        if (isinf(m->R1) != wall) continue;
+        double Vs = tr_forms_value(velocity, &w->states, i), power = w->states.measures[0][i].Vt;
+        if (!wall) power += fabs(tr_forms_value(&one->best, &w->states, i)) * m->w1;
+        power += fabs(tr_forms_value(&two->best, &w->states, i)) * (wall ? m->w2 - m->w1 : m->w2);
+        g.greatest = fmax(g.greatest, fabs(Vs));
+        if (fabs(power - Vs) <= g.worst) continue;
+        g.worst = fabs(power - Vs), g.at = 1 - w->states.length[i] / (wall ? m->R2 : m->R1 + m->R2);
+    }
+    return g;
+}
+
+static void judge_friction_power(tr_identify *w, const tr_fit *one, const tr_fit *two, int wall) {
     tr_identified *f = &w->found;
-    const tr_fit *V = told(f, TR_ASK_V_S), *F = told(f, TR_ASK_F_T);
+    const tr_fit *V = told(f, TR_ASK_V_S + wall), *F = told(f, TR_ASK_F_T + wall);
     if (!V && !F) return;
     tr_form velocity = V ? V->best : F->best;
     velocity.factor = V ? fabs(velocity.factor) : 1; /* that of F_t is a matter of k_t */
     if (!V && !strcmp(tr_forms_name(TR_FAMILY_SLIDING, velocity.definition), "iwashita-oda")) velocity.factor = 2;
-    double worst = 0, at = 0, greatest = 0;
-    for (int i = 0; i < w->states.n; i++) {
-        const tr_motion *m = &w->states.motion[i];
-        if (isinf(m->R1)) continue;
-        double Vs = tr_forms_value(&velocity, &w->states, i), Vt = w->states.measures[0][i].Vt;
-        double power = Vt + fabs(tr_forms_value(&one->best, &w->states, i)) * m->w1 +
-                       fabs(tr_forms_value(&two->best, &w->states, i)) * m->w2;
-        greatest = fmax(greatest, fabs(Vs));
-        if (fabs(power - Vs) > worst) worst = fabs(power - Vs), at = 1 - w->states.length[i] / (m->R1 + m->R2);
-    }
-    bool good = worst <= NOTHING * greatest;
-    const tr_arms *known = known_mixture(&velocity, &one->best);
-    answer(&f->conjugate, good);
+    gap g = power_gap(w, &velocity, one, two, wall > 0);
+    const tr_arms *known = wall ? NULL : known_mixture(&velocity, &one->best);
     char words[2][TR_FORM_WORDS];
+    bool good = g.worst <= NOTHING * g.greatest;
+    answer(&f->conjugate, good);
     if (!good)
-        reason(f,
-               "not conjugate: velocity %s, torque arms %s%s%s%s: the power of friction differs from F_t V_s by up to "
-               "%.3g "
-               "m/s for each unit of force, %.2g of the greatest V_s, at %.3g %% overlap",
-               tr_forms_words(&velocity, words[0]), tr_forms_words(&one->best, words[1]), known ? " (both as " : "",
-               known ? known->source : "", known ? ")" : "", worst, worst / greatest, 100 * at);
+        reason(
+            f,
+            "not conjugate%s: velocity %s, torque arms %s%s%s%s: the power of friction differs from F_t V_s by up to "
+            "%.3g m/s for each unit of force, %.2g of the greatest V_s, at %.3g %% overlap",
+            wall ? " at a wall" : "", tr_forms_words(&velocity, words[0]), tr_forms_words(&two->best, words[1]),
+            known ? " (both as " : "", known ? known->source : "", known ? ")" : "", g.worst, g.worst / g.greatest,
+            100 * g.at);
     else if (known)
         note(f, "velocity and torque as in the row `%s` of the arms (%s)", known->name, known->source);
 }
 
-static void judge_friction(tr_identify *w) {
+/* wall: 0, or TR_ASKS. */
+static void judge_friction(tr_identify *w, int wall) {
     tr_identified *f = &w->found;
-    const tr_fit *one = told(f, TR_ASK_ARM1), *two = told(f, TR_ASK_ARM2);
-    const tr_fit *F = told(f, TR_ASK_F_T), *V = told(f, TR_ASK_V_S);
+    const tr_fit *one = told(f, TR_ASK_ARM1 + wall), *two = told(f, TR_ASK_ARM2 + wall);
+    const tr_fit *F = told(f, TR_ASK_F_T + wall), *V = told(f, TR_ASK_V_S + wall);
     bool opposite = F && F->best.factor < 0 && V && V->best.factor > 0;
-    opposite |= F && F->best.factor < 0 && !V && one && one->best.factor > 0;
+    opposite |= F && F->best.factor < 0 && !V && two && two->best.factor > 0;
     if (opposite) {
         reason(f, "not conjugate: F_t drives the sliding (its sign is opposite): the contact makes energy");
         answer(&f->conjugate, false);
@@ -233,12 +243,12 @@ static void judge_friction(tr_identify *w) {
         reason(f, "not conjugate: the torques of friction on 1 and 2 have opposite signs: one of them drives");
         answer(&f->conjugate, false);
     }
-    if (!one || !two) {
-        if (F || V) note(f, "power and balance of friction are not told: add T1 and T2 (or arm1 and arm2)");
+    if (!two || (!one && !wall)) {
+        if ((F || V) && !wall) note(f, "power and balance of friction are not told: add T1 and T2 (or arm1 and arm2)");
         return;
     }
-    judge_arms(w, one, two);
-    judge_friction_power(w, one, two);
+    if (!wall) judge_arms(w, one, two);
+    judge_friction_power(w, one, two, wall);
 }
 
 /* ---- signs, and what is not told */
@@ -277,7 +287,12 @@ void tr_identify_judge(tr_identify *w) {
     for (int k = 0; k < TR_QUESTIONS; k++) judge_observers(f, k);
     judge_sum(w);
     judge_rolling_power(w);
-    judge_friction(w);
+    judge_friction(w, 0);
+    judge_friction(w, TR_ASKS);
     for (int k = 0; k < TR_QUESTIONS; k++) judge_fit(f, k);
     judge_signs(f);
+}
+
+bool tr_identify_is_good(const tr_identified *f) {
+    return !f->unclear && f->objective != TR_NO && f->balanced != TR_NO && f->conjugate != TR_NO;
 }

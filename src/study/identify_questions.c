@@ -4,17 +4,18 @@
 #include "base/alloc.h"
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
-static const tr_question questions[TR_QUESTIONS] = {
-    [TR_ASK_V_R] = {"V_r", TR_CELL_V_R, TR_FAMILY_ROLLING, 1, .moment = false},
-    [TR_ASK_M1] = {"M1", TR_CELL_M1, TR_FAMILY_ROLLING, -1, .moment = true},
-    [TR_ASK_M2] = {"M2", TR_CELL_M2, TR_FAMILY_ROLLING, 1, .moment = true},
-    [TR_ASK_CAP1] = {"cap 1", TR_CELL_M1, TR_FAMILY_CAP, 1, .length = true},
-    [TR_ASK_CAP2] = {"cap 2", TR_CELL_M2, TR_FAMILY_CAP, 1, .length = true},
-    [TR_ASK_V_S] = {"V_s", TR_CELL_V_S, TR_FAMILY_SLIDING, 1, .moment = false},
-    [TR_ASK_F_T] = {"F_t", TR_CELL_F_T, TR_FAMILY_SLIDING, 1, .moment = false},
-    [TR_ASK_ARM1] = {"arm 1", TR_CELL_T1, TR_FAMILY_ARM_1, 1, .length = true},
-    [TR_ASK_ARM2] = {"arm 2", TR_CELL_T2, TR_FAMILY_ARM_2, 1, .length = true},
+static const tr_question questions[TR_ASKS] = {
+    [TR_ASK_V_R] = {"V_r", false, TR_CELL_V_R, TR_FAMILY_ROLLING, 1, .moment = false},
+    [TR_ASK_M1] = {"M1", false, TR_CELL_M1, TR_FAMILY_ROLLING, -1, .moment = true},
+    [TR_ASK_M2] = {"M2", false, TR_CELL_M2, TR_FAMILY_ROLLING, 1, .moment = true},
+    [TR_ASK_CAP1] = {"cap 1", false, TR_CELL_M1, TR_FAMILY_CAP, 1, .length = true},
+    [TR_ASK_CAP2] = {"cap 2", false, TR_CELL_M2, TR_FAMILY_CAP, 1, .length = true},
+    [TR_ASK_V_S] = {"V_s", false, TR_CELL_V_S, TR_FAMILY_SLIDING, 1, .moment = false},
+    [TR_ASK_F_T] = {"F_t", false, TR_CELL_F_T, TR_FAMILY_SLIDING, 1, .moment = false},
+    [TR_ASK_ARM1] = {"arm 1", false, TR_CELL_T1, TR_FAMILY_ARM_1, 1, .length = true},
+    [TR_ASK_ARM2] = {"arm 2", false, TR_CELL_T2, TR_FAMILY_ARM_2, 1, .length = true},
 };
 
 static double or_else(double v, double other) {
@@ -45,7 +46,8 @@ typedef struct maker {
 } maker;
 
 static void add(maker *m, int which, int row, double y) {
-    tr_question *q = &m->q->of[which];
+    bool wall = isinf(m->table->row[row].motion.R1);
+    tr_question *q = &m->q->of[which + (wall ? TR_ASKS : 0)];
     if (isnan(y)) return;
     q->row[q->n] = row, q->y[q->n++] = y;
     q->scale = fmax(q->scale, fabs(y));
@@ -64,7 +66,7 @@ static void add_moments(maker *m, int i) {
         if (e == FRICTION && isnan(c[TR_CELL_T1 + k]) && c[TR_CELL_F_T] != 0)
             add(m, TR_ASK_ARM1 + k, i, -M[k] / c[TR_CELL_F_T]);
     }
-    if ((e != ROLLING_SPRING && e != ROLLING_BOUND) || isnan(M[0] + M[1])) return;
+    if ((e != ROLLING_SPRING && e != ROLLING_BOUND) || isnan(M[0] + M[1]) || isinf(r->motion.R1)) return;
     m->q->moment = fmax(m->q->moment, fmax(fabs(M[0]), fabs(M[1])) / per);
     if (fabs(M[0] + M[1]) / per > m->q->sum) m->q->sum = fabs(M[0] + M[1]) / per, m->q->sum_line = r->line;
 }
@@ -125,7 +127,8 @@ static bool check_varies(const tr_question *q, const tr_identify_table *t, tr_st
 
 static bool make_room(tr_questions *q, int n, tr_status *st) {
     for (int k = 0; k < TR_QUESTIONS; k++) {
-        q->of[k] = questions[k];
+        q->of[k] = questions[k % TR_ASKS];
+        if (k >= TR_ASKS) q->of[k].wall = true, strcat(q->of[k].name, " at wall");
         q->of[k].row = tr_alloc(2 * (size_t)n, sizeof *q->of[k].row, st);
         q->of[k].y = tr_alloc(2 * (size_t)n, sizeof *q->of[k].y, st);
         if (!q->of[k].row || !q->of[k].y) return false;

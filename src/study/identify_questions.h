@@ -16,12 +16,14 @@ enum {
     TR_ASK_F_T,
     TR_ASK_ARM1,
     TR_ASK_ARM2,
-    TR_QUESTIONS
+    TR_ASKS,
+    TR_QUESTIONS = 2 * TR_ASKS /* of two disks, then of a disk at a wall: codes treat walls in their own ways */
 };
 
 typedef struct tr_question {
-    const char *name; /* of its line in the report */
-    int cell;         /* its column, for messages */
+    char name[20]; /* of its line in the report */
+    bool wall;
+    int cell; /* its column, for messages */
     tr_family family;
     double sign;      /* of an answer by the signs of the house */
     bool moment;      /* velocity times lever */

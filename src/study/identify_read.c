@@ -74,6 +74,7 @@ static bool cell(void *context, tr_csv *csv, int column, const char *text, size_
     if (answer && (!strcasecmp(text, "nan") || !strcasecmp(text, "NA")))
         return tr_csv_fail(csv, csv->line, "%s is %s: leave the cell empty where the code does not answer", name, text);
     if (!tr_csv_number(csv, name, text, radius, &v)) return false;
+    if (fabs(v) > 1e50 && !radius) return tr_csv_fail(csv, csv->line, "%s is %g, which is too large", name, v);
     if (answer) {
         r->row.cell[column - TR_MOTION_COLUMNS] = v, r->table->is_there[column - TR_MOTION_COLUMNS] = true;
         return true;
@@ -84,6 +85,12 @@ static bool cell(void *context, tr_csv *csv, int column, const char *text, size_
     if (isinf(v) && column == 1) return tr_csv_fail(csv, csv->line, "%s is inf: only body 1 can be a wall", name);
     memcpy((char *)&r->row.motion + tr_motion_columns[column].offset, &v, sizeof v);
     return true;
+}
+
+/* Products of lengths and velocities stay finite. */
+static const double LARGE = 1e12;
+static bool in_range(double length) {
+    return length >= 1 / LARGE && length <= LARGE;
 }
 
 /* Stiffnesses, coefficients and times of a row that makes no sense. */
@@ -104,6 +111,10 @@ static bool row(void *context, tr_csv *csv) {
     const tr_motion *m = &r->row.motion;
     r->row.line = csv->row_line;
     r->row.length = hypot(m->x2x - m->x1x, m->x2y - m->x1y);
+    if (!in_range(m->R2) || (!isinf(m->R1) && !in_range(m->R1)) || r->row.length > LARGE)
+        return tr_csv_fail(csv, csv->row_line,
+                           "radii are %.3g m and %.3g m, the centres %.3g m apart: only %g m to %g m", m->R1, m->R2,
+                           r->row.length, 1 / LARGE, LARGE);
     if (!(r->row.length > 0))
         return tr_csv_fail(csv, csv->row_line, "the centres coincide: there is no line of centres");
     if (!check_springs(r, csv)) return false;

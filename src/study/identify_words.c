@@ -23,17 +23,17 @@ static void print_formula(FILE *out, const tr_form *form) {
 static void print_fit(FILE *out, const tr_fit *fit) {
     char words[TR_FORM_WORDS];
     const tr_question *q = fit->question;
-    fprintf(out, "%-12s %s%s", q->name, fit->fits ? "" : "none of the tables; nearest ",
+    fprintf(out, "%-14s %s%s", q->name, fit->fits ? "" : "none of the tables; nearest ",
             tr_forms_words(&fit->best, words));
     print_formula(out, &fit->best);
-    fprintf(out, "\n%13s%d row%s, largest error %.2g of %s%s", "", q->n, q->n == 1 ? "" : "s", fit->error,
+    fprintf(out, "\n%15s%d row%s, largest error %.2g of %s%s", "", q->n, q->n == 1 ? "" : "s", fit->error,
             q->length ? "it" : "the greatest", fit->objective || q->length ? "" : ", depends on the observer");
     for (int k = 0; k < fit->n_same; k++)
-        fprintf(out, "%s%s", k ? "; or " : "\n             the same: ", tr_forms_words(&fit->same[k], words));
+        fprintf(out, "%s%s", k ? "; or " : "\n               the same: ", tr_forms_words(&fit->same[k], words));
     for (int k = 0; k < fit->n_ties; k++)
-        fprintf(out, "\n             fits as well: %s", tr_forms_words(&fit->tie[k], words));
+        fprintf(out, "\n               fits as well: %s", tr_forms_words(&fit->tie[k], words));
     if (fit->has_runner && !fit->n_ties)
-        fprintf(out, "\n             next best: %s, error %.2g", tr_forms_words(&fit->runner, words),
+        fprintf(out, "\n               next best: %s, error %.2g", tr_forms_words(&fit->runner, words),
                 fit->runner_error);
     fputc('\n', out);
 }

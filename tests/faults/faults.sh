@@ -11,7 +11,7 @@
 # directory of results is listed; a finished run that was to be replaced is whole, or gone; and the same command,
 # undisturbed, then gives the bytes of a run that never met a fault, and leaves no part.
 set -u
-trundle=$(realpath "$1") programs=$(realpath "$2") stride=${3:-1}
+trundle=$(realpath "$1") programs=$(realpath "$2") stride=${3:-1} here=$(realpath "$(dirname "$0")")
 [ $# -lt 3 ] && shift $# || shift 3
 work=$(mktemp -d -p /dev/shm 2>/dev/null || mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -36,6 +36,8 @@ sweep|both|sweep sweep.yaml -o out -j 1
 replay|memory|replay run -n 3 -j 1 -o out
 card|memory|measures -o out/card.csv
 measures|memory|measures card.csv -o out/by-card.csv
+motions|memory|measures --card out/motions.csv
+identify|memory|identify answers.csv -o out/found.csv
 verify|memory|verify pure-motions -o out
 laws|memory|laws
 law|memory|laws kuhn-creep
@@ -130,7 +132,10 @@ write_inputs() {
     replay)
         sed 's/k_n: 160 MPa/normal: hertz-line, E_star: 400 MPa, k_t: 180 MPa, k_r: 80 MPa/
             s/rows: 4/&, path_rows: 4, curves: no/' biaxial.yaml >hertz.yaml ;;
-    measures | card | sizes) mkdir out ;;
+    measures | card | motions | sizes) mkdir out ;;
+    identify)
+        mkdir out
+        cp "$here/../interop/liggghts.csv" answers.csv ;;
     esac
 }
 
