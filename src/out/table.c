@@ -14,6 +14,7 @@ void tr_row_add(tr_row *row, double value, const char *name_format, ...) {
     vsnprintf(name, sizeof name, name_format, args);
     va_end(args);
     snprintf(cell->name, sizeof cell->name, "%s", tr_param_by_shape(name, row->shape, part));
+    for (char *p = cell->name; *p; p++) *p = *p == '-' ? '_' : *p; /* an identifier; a hyphen is a minus elsewhere */
     cell->value = value;
 }
 

@@ -14,7 +14,8 @@ typedef struct tr_driven {
     tr_run_report *report;
     int64_t total, done;                 /* steps */
     int n;                               /* lines: the laws, or the one solver */
-    tr_contact_state state[TR_MAX_LAWS]; /* of each line, after the last step */
+    tr_contact_state state[TR_MAX_LAWS];  /* of each line, after the last step */
+    tr_contact_state before[TR_MAX_LAWS]; /* after the step before it; step 0: there is none */
     tr_path_result result[TR_MAX_LAWS];  /* so far */
     bool rolling;                        /* some line has moments */
     tr_file table;                       /* contact.csv */

@@ -60,6 +60,23 @@ static void keep_result(tr_path_result *r, const tr_contact_state *s) {
     r->moment_max = fmax(r->moment_max, fmax(fabs(s->moment_1), fabs(s->moment_2)));
 }
 
+/* State and motion of the two bodies as `trundle measures` takes them, so that another code can be driven along the same
+ * path: body 1 rests at the origin, the line of centres is along x. Places are those at the end of the step, velocities
+ * those of the step. Vt = 0: w1, w2 follow from Vs = R1 w1 + R2 w2 and V_r = (R1 w1 - R2 w2)/2 (contact.h). */
+static void add_motion(tr_row *row, const tr_scene *scene, const tr_contact_state *before, const tr_contact_state *s) {
+    const tr_scene_segment *g = &scene->path[s->segment];
+    const double dt = (g->time > 0 ? g->time : 1) / g->steps, R1 = scene->pair.R1, R2 = scene->pair.R2;
+    const double closes = before->step ? (s->overlap - before->overlap) / dt : 0;
+    double slide = (s->u_slide - before->u_slide) / dt, roll = (s->u_roll - before->u_roll) / dt;
+    tr_row_add(row, R1, "R1"), tr_row_add(row, R2, "R2");
+    tr_row_add(row, 0, "x1x"), tr_row_add(row, 0, "x1y");
+    tr_row_add(row, R1 + R2 - s->overlap, "x2x"), tr_row_add(row, 0, "x2y");
+    tr_row_add(row, 0, "v1x"), tr_row_add(row, 0, "v1y");
+    tr_row_add(row, 0.0 - closes, "v2x"), tr_row_add(row, 0, "v2y");
+    tr_row_add(row, (slide / 2 - roll) / R1 + 0.0, "w1"), tr_row_add(row, (slide / 2 + roll) / R2 + 0.0, "w2");
+    tr_row_add(row, dt, "dt_s");
+}
+
 static bool write_row(tr_driven *d, const tr_contact_state *s, tr_status *st) {
     tr_row row = {.shape = d->scene->shape};
     int n = d->scene->kind == TR_KIND_PATCH ? TR_N_PATCH_COLUMNS : TR_N_COLUMNS;
@@ -67,6 +84,8 @@ static bool write_row(tr_driven *d, const tr_contact_state *s, tr_status *st) {
     tr_row_add(&row, (double)s->step, "step");
     tr_row_add(&row, s->segment, "segment");
     for (int i = 0; i < n; i++) tr_row_add_in(&row, tr_contact_value(s, i), tr_columns[i].name, tr_columns[i].unit);
+    add_motion(&row, d->scene, &d->before[s->law], s);
+    d->before[s->law] = *s;
     return tr_row_write_exact(&row, &d->table, st);
 }
 

@@ -260,6 +260,12 @@ static void test_card_for_codes(void **state) {
         if (!strncmp(row[i].label, "PR", 2)) assert_close(r.s1, r.s2, 0, TIGHT);
         if (!strncmp(row[i].label, "PS R", 4)) assert_close(by(&r, "Vs_wang"), 0.01, TIGHT, 0);
         if (strstr(row[i].label, "rolling")) assert_close(r.s1, r.s2, 0, TIGHT);
+        double ratio = 0;
+        if (!wall) {
+            assert_int_equal(sscanf(strstr(row[i].label, "R1/R2="), "R1/R2=%lg", &ratio), 1);
+            assert_close(m->R1 / m->R2, ratio, 1e-14, 0);
+            assert_close(fmin(m->R1, m->R2), 0.01, 1e-14, 0);
+        }
         int springs = (row[i].k_t > 0) + (row[i].k_roll > 0); /* one experiment a row */
         assert_int_equal(springs, 1);
     }

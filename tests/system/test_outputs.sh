@@ -103,7 +103,16 @@ check 'it writes these files' equals "$(listing contact)" "$(contact_files)"
 check 'curves only where they are wanted' run_gives 0 "$cases/contact-reversal.yaml" -o bare --set output.curves=no
 check 'it writes these files' equals "$(listing bare)" "$(contact_files | grep -v 'png$\|svg$\|gp$')"
 check 'the header of contact.csv' equals "$(head -n 1 contact/contact.csv)" \
-    'law,step,segment,u_slide_m,u_roll_m,P_N_per_m,Q_N_per_m,q,a_m,moment_1_N,moment_2_N,f_r_N_per_m,overlap_m'
+    'law,step,segment,u_slide_m,u_roll_m,P_N_per_m,Q_N_per_m,q,a_m,moment_1_N,moment_2_N,f_r_N_per_m,overlap_m,R1,R2,x1x,x1y,x2x,x2y,v1x,v1y,v2x,v2y,w1,w2,dt_s'
+# Another code that is moved so goes the same path: of each law the sums of its velocities are the ways, to rounding.
+moves() { awk -F, 'NR > 1 {
+        k = $1; slide[k] += ($14*$24 + $15*$25)*$26; roll[k] += ($15*$25 - $14*$24)/2*$26
+        gap = $18 + $13 - $14 - $15; if (k in x) x[k] += $22*$26; else x[k] = $18
+        off = slide[k] - $4; if (off*off > 1e-30) bad = 1
+        off = roll[k] - $5; if (off*off > 1e-30) bad = 1
+        if (gap*gap > 1e-30 || (x[k] - $18)^2 > 1e-30) bad = 1; n++ }
+    END { exit bad || n < 100 }' contact/contact.csv; }
+check 'places, velocities and spins are those of the path' moves
 check 'a row for each law and step' equals "$(($(wc -l <contact/contact.csv) - 1))" 3200
 within() { awk -F, 'NR > 1 && !($8 >= -1 - 1e-15 && $8 <= 1 + 1e-15 && $8*$7 >= 0) { print; bad = 1 } END { exit bad }' contact/contact.csv; }
 check 'friction within its bound' within
@@ -154,7 +163,7 @@ begins() {
 check 'header of history.csv' begins plain/history.csv \
     'strain,stress_1_Pa,stress_2_Pa,sin_phi,void_ratio,n_contacts,coordination,sliding_fraction,rolling_share,opposed_fraction,'
 check 'header of contacts.csv' begins plain/contacts.csv 'time_s,strain,a,b,x_m,y_m,'
-for column in f_n_N_per_m f_t_N_per_m moment_a_N v_s_m_per_s v_r_m_per_s mobilisation; do
+for column in f_n_N_per_m f_t_N_per_m moment_a_N v_s_m_per_s v_r_m_per_s mobilisation v_r_bagi_kuhn_m_per_s v_s_full_radius_m_per_s; do
     check "contacts.csv has $column" sh -c "head -n 1 plain/contacts.csv | tr , '\n' | grep -qx $column"
 done
 check 'header of disks.csv' begins plain/disks.csv 'time_s,disk,x_m,y_m,angle_rad,'
@@ -172,6 +181,9 @@ is_table() {
 for table in plain/history.csv increments/history.csv plain/contacts.csv plain/disks.csv bodies/history.csv bodies/contacts.csv contact/contact.csv; do
     check "$table holds finite numbers only" is_table "$table"
 done
+# A hyphen is a minus to pandas, R and csvgrep.
+identifiers() { head -qn 1 "$@" | tr , '\n' | grep -vE '^[A-Za-z][A-Za-z0-9_]*$'; }
+check 'column names are identifiers' not identifiers plain/*.csv increments/*.csv bodies/*.csv contact/*.csv patch/*.csv
 ends_at() { # the last strain is the asked one, overshot by less than a step
     awk -F, 'END { exit !($1 >= 0.01 && $1 < 0.0101) }' "$1"
 }
