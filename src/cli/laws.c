@@ -3,7 +3,9 @@
 #include "cli/parse.h"
 #include "laws/law.h"
 #include "scene/text.h"
+#include "study/counterparts.h"
 #include <argp.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -88,21 +90,88 @@ static void show(const char *slot, const tr_law *law) {
     print_claims(tr_law_claims(law));
 }
 
+/* ---- the same law in another code */
+
+typedef struct arguments {
+    const char *name, *code;
+    double R1, R2; /* 0: not given */
+} arguments;
+
+static void print_key(const tr_counterpart_key *k, double R1, double R2) {
+    static const double ratios[] = {1, 2, 10};
+    if (tr_counterpart_is_plain(k)) {
+        printf("    %s = %s, for all radii\n", k->key, k->theirs);
+    } else if (R1 > 0) {
+        printf("    %s = %.6g %s\n", k->key, k->factor(R1, R2), k->theirs);
+    } else {
+        printf("    %s = c %s, c =", k->key, k->theirs);
+        for (int i = 0; i < 3; i++) printf("%s %.6g", i ? "," : "", k->factor(ratios[i], 1));
+        printf(" at R1/R2 = 1, 2, 10\n");
+    }
+}
+
+static int print_counterpart(const arguments *a) {
+    const tr_counterpart *c = tr_counterpart_of(a->code, a->name);
+    if (!c) {
+        fprintf(stderr, "error: %s was not measured in %s; measured are", a->name, a->code);
+        for (int k = 0; k < tr_n_counterparts; k++)
+            fprintf(stderr, "%s %s in %s", k ? "," : "", tr_counterparts[k].law, tr_counterparts[k].code);
+        fputc('\n', stderr);
+        return TR_BAD_CASE;
+    }
+    if (a->R1 > 0)
+        printf("%s in %s, for R1 = %g m and R2 = %g m\n", a->name, a->code, a->R1, a->R2);
+    else
+        printf("%s in %s\n", a->name, a->code);
+    paragraph("measured with", c->where);
+    printf("  here = there\n");
+    for (int k = 0; k < TR_COUNTERPART_KEYS && c->key[k].key; k++) print_key(&c->key[k], a->R1, a->R2);
+    if (c->differs) paragraph("differs", c->differs);
+    if (strcmp(a->name, c->law)) printf("  with\n    rolling_velocity: wang\n");
+    return TR_OK;
+}
+
+static const struct argp_option options[] = {
+    {"in", 'i', "CODE", 0, "which coefficients of lammps, liggghts or yade give the same law", 0},
+    {"radii", 'r', "R1,R2", 0, "with --in: of bodies of these radii [m]", 0},
+    {0},
+};
+
+static void read_radii(const char *text, arguments *a, struct argp_state *state) {
+    char rest;
+    if (sscanf(text, "%lf,%lf%c", &a->R1, &a->R2, &rest) != 2 || !(a->R1 > 0 && a->R2 > 0) || !isfinite(a->R1 + a->R2))
+        argp_error(state, "--radii takes two lengths above 0 in m, R1,R2, not %s", text);
+}
+
 static error_t parse(int key, char *value, struct argp_state *state) {
-    const char **name = state->input;
-    if (key != ARGP_KEY_ARG) return ARGP_ERR_UNKNOWN;
-    if (*name) argp_error(state, "one law at a time");
-    *name = value;
+    arguments *a = state->input;
+    if (key == 'i')
+        a->code = value;
+    else if (key == 'r')
+        read_radii(value, a, state);
+    else if (key == ARGP_KEY_ARG && a->name)
+        argp_error(state, "one law at a time");
+    else if (key == ARGP_KEY_ARG)
+        a->name = value;
+    else if (key == ARGP_KEY_END && a->code && !a->name)
+        argp_error(state, "--in: of which law?");
+    else if (key == ARGP_KEY_END && a->R1 > 0 && !a->code)
+        argp_error(state, "--radii goes with --in");
+    else
+        return ARGP_ERR_UNKNOWN;
     return 0;
 }
 
 int tr_cli_laws(int argc, char **argv) {
-    const char *name = NULL;
+    arguments a = {0};
     const struct argp argp = {
-        NULL, parse, "[NAME]", "Lists the contact laws, or prints all about one: formula, parameters, source, claims.",
-        0,    0,     0};
+        options,  parse,
+        "[NAME]", "Lists the contact laws, or prints all about one: formula, parameters, source, claims.",
+        0,        0,
+        0};
     argv[0] = "trundle laws";
-    tr_cli_parse(&argp, argc, argv, &name);
+    tr_cli_parse(&argp, argc, argv, &a);
+    const char *name = a.name;
     if (!name) return list(stdout), TR_OK;
     tr_near near = {NULL, 0};
     int found = 0;
@@ -111,10 +180,10 @@ int tr_cli_laws(int argc, char **argv) {
             const tr_law *law = slots[s].laws[i];
             tr_text_nearer(&near, name, law->table.name);
             if (strcmp(law->table.name, name)) continue;
-            if (found++) printf("\n");
-            show(slots[s].name, law);
+            if (found++ && !a.code) printf("\n");
+            if (!a.code) show(slots[s].name, law);
         }
-    if (found) return TR_OK;
+    if (found) return a.code ? print_counterpart(&a) : TR_OK;
     fprintf(stderr, "error: no law is called `%s`%s; there are\n", tr_text_show(name).text, tr_text_hint(&near).text);
     list(stderr);
     return TR_BAD_CASE;

@@ -93,7 +93,8 @@ static void columns_of_spheres_have_their_units(void **state) {
     assert_non_null(fgets(line, sizeof line, file));
     fclose(file);
     assert_string_equal(
-        line, "law,step,segment,u_slide_m,u_roll_m,P_N,Q_N,q,a_m,moment_1_N_m,moment_2_N_m,f_r_N,overlap_m\n");
+        line, "law,step,segment,u_slide_m,u_roll_m,P_N,Q_N,q,a_m,moment_1_N_m,moment_2_N_m,f_r_N,overlap_m,"
+              "R1,R2,x1x,x1y,x2x,x2y,v1x,v1y,v2x,v2y,w1,w2,dt_s\n");
 }
 
 /* Slid far beyond full slip: all of it rubs at mu P, and nothing sticks. Hertz: p_max = 2 P/(pi a). */

@@ -30,6 +30,19 @@ for law in $(laws | sort -u); do
         sh -c '"$0" laws "$1" | grep -q "claims, at the default options"' "$TRUNDLE" "$law"
 done
 
+told() { "$TRUNDLE" laws "$@" >"$work/told" 2>"$work/stderr"; }
+check 'the same law in another code' told wang-spring --in yade --radii 0.02,0.01
+check 'its coefficients' grep -qx '    k_r = 4.5 alphaKr k_s' "$work/told"
+check 'its bound' grep -qx '    mu_r = 1.5 etaRoll' "$work/told"
+check 'its release' grep -q 'YADE 2023.02a' "$work/told"
+check 'without radii: of three ratios' told wang-spring --in yade
+check 'are told' grep -qx '    k_r = c alphaKr k_s, c = 4, 4.5, 12.1 at R1/R2 = 1, 2, 10' "$work/told"
+check 'a law that was not measured there' not told kuhn-creep --in lammps
+check 'says which were' grep -q 'kuhn-creep was not measured in lammps; measured are wang-spring in lammps,' "$work/stderr"
+check 'a code that is not known' not told wang-spring --in esys
+check 'radii that are none' not told wang-spring --in yade --radii 1
+check 'radii without a code' not told wang-spring --radii 1,2
+
 # Every file of a law is in the registry; law_template.c is not called after a slot.
 forgotten() {
     for file in src/laws/normal_*.c src/laws/friction_*.c src/laws/rolling_*.c; do
