@@ -38,7 +38,7 @@ static void thin(tr_bed *b) {
         for (int j = 2; j < b->n - 1; j++)
             if (lost[j] < lost[k]) k = j;
         if (lost[k] > NOTHING * b->cap * b->P[b->n - 1]) {
-            if (b->n <= TR_BED_POINTS) return;
+            if (b->n <= b->most) return;
             b->merged += b->merged < INT_MAX;
         }
         b->n--;
@@ -126,7 +126,7 @@ double tr_bed_trial(const tr_bed *b, const double *below, double delta, double P
 /* What all contacts share. */
 static void begin(tr_bed *b, const tr_law_data *data) {
     const tr_bed_par *p = data->par;
-    b->data = data, b->mu = p->mu;
+    b->data = data, b->mu = p->mu, b->most = p->breakpoints ? p->breakpoints : TR_BED_POINTS;
     b->kappa = data->shape == TR_SHAPE_SPHERE ? (2 - p->nu) / (2 * (1 - p->nu)) : 1;
     b->cap = b->mu * b->kappa;
 }

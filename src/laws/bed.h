@@ -21,7 +21,7 @@
  * logarithmic law of their line contact. A linear P makes it a spring k_n/kappa capped at mu P.
  *
  * A breakpoint that takes no part in Q (collinear, or P linear around it) is dropped. Where P grows while du/ddelta varies
- * from step to step below mu kappa, each step leaves a breakpoint: of more than TR_BED_POINTS the one goes whose
+ * from step to step below mu kappa, each step leaves a breakpoint: of more than `breakpoints` the one goes whose
  * removal changes Q least, which is counted. Chords of a strain inside the caps are inside, so |Q| <= mu P still holds; the
  * store may rise as well as fall, by half of e times that change. On a path of 600 such steps, sliding to and fro six
  * times, hertz-line, hertz-sphere and a quadratic P:
@@ -46,15 +46,21 @@ enum { TR_BED_POINTS = 16, TR_BED_HIST = 2 + 3 * TR_BED_POINTS };
 /* The parameters of a law on the bed begin with these. */
 typedef struct tr_bed_par {
     double mu, nu;
+    int breakpoints;
 } tr_bed_par;
 
-#define TR_BED_PARAMS(par) TR_ROW_MU(par, bed.mu, 0), TR_ROW_NU(par, bed.nu)
+#define TR_ROW_BREAKPOINTS(par, at)                                                                                    \
+    {                                                                                                                  \
+        "breakpoints", TR_COUNT, TR_DIM_NUMBER, "", "0", 0, TR_BED_POINTS, NULL, offsetof(par, at),                    \
+            "of the history of a contact; where there are more, one is merged. 0: 16, as many as there is room for"    \
+    }
+#define TR_BED_PARAMS(par) TR_ROW_MU(par, bed.mu, 0), TR_ROW_NU(par, bed.nu), TR_ROW_BREAKPOINTS(par, bed.breakpoints)
 
 /* One contact, taken out of the history. */
 typedef struct tr_bed {
     const tr_law_data *data;
-    double R1, R2, mu, kappa, cap; /* cap = mu kappa */
-    int n, merged;
+    double R1, R2, mu, kappa, cap;                     /* cap = mu kappa */
+    int n, most, merged;                               /* most: of n */
     double s[TR_BED_POINTS + 1], e[TR_BED_POINTS + 1]; /* s[0] = 0 <...< s[n-1] = delta, e[n-1] = 0; n = 0: fresh */
     double P[TR_BED_POINTS + 1];                       /* P(s) */
 } tr_bed;

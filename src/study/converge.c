@@ -145,6 +145,28 @@ static bool comes_first(const tr_converge_ladder *l, double cost, const tr_conve
     return !other || mine < its || (mine == its && cost < other_cost);
 }
 
+/* A history that was never full has merged nothing: that cause is left out. Bodies do not count. */
+static bool drop_merging(tr_converge *c, tr_status *st) {
+    char summary[TR_PATH];
+    double merged = 0;
+    if (c->scene.kind != TR_KIND_CONTACT) return true;
+    if (!tr_dir_path(summary, c->options->dir, "points/kind=contact/summary.json", st)) return false;
+    for (int i = 0; i < c->scene.n_laws; i++) {
+        char name[64];
+        double one;
+        snprintf(name, sizeof name, "laws.%d.history_merged", i);
+        if (!tr_summary_read(summary, name, &one, st)) return false;
+        merged += one;
+    }
+    for (int i = 0; i < c->n_ladders && merged == 0; i++) {
+        if (strcmp(c->ladder[i].cause->name, "merging") != 0) continue;
+        c->n_ladders--;
+        memmove(&c->ladder[i], &c->ladder[i + 1], (size_t)(c->n_ladders - i) * sizeof c->ladder[i]);
+        i--;
+    }
+    return true;
+}
+
 /* The next level of all ladders, until each is decided or dear. */
 static bool climb(tr_converge *c, tr_status *st) {
     bool ran = false;
@@ -221,7 +243,7 @@ static bool run(tr_converge *c, char **text, tr_status *st) {
     int lock = -1;
     if (c->options->plan) return look_ahead(c, text, st);
     if (!tr_dir_lock(dir, &lock, st)) return false;
-    bool ok = tr_made_spare(dir, c->options->case_file, st) && run_own(c, st);
+    bool ok = tr_made_spare(dir, c->options->case_file, st) && run_own(c, st) && drop_merging(c, st);
     if (ok) take_own(c);
     ok = ok && climb(c, st);
     if (ok) note_outliers(c);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "study/converge_causes.h"
 
+#include "laws/bed.h"
 #include "laws/law.h"
 #include "base/math.h"
 #include <math.h>
@@ -32,6 +33,17 @@ static double law_elements(const tr_scene *s, int item) {
     const tr_scene_law *friction = &s->laws[item].friction;
     const int *elements = tr_law_count(tr_laws_friction[friction->law], friction->par, "elements");
     return elements ? *elements : NAN;
+}
+static double law_breakpoints(const tr_scene *s, int item) {
+    const tr_scene_law *friction = &s->laws[item].friction;
+    const int *n = tr_law_count(tr_laws_friction[friction->law], friction->par, "breakpoints");
+    return !n ? NAN : *n ? *n : TR_BED_POINTS;
+}
+static double breakpoints(const tr_scene *s, int item) {
+    (void)item;
+    const tr_scene_law *friction = &s->contact.friction;
+    const int *n = tr_law_count(tr_laws_friction[friction->law], friction->par, "breakpoints");
+    return !n ? NAN : *n ? *n : TR_BED_POINTS;
 }
 static double patch_elements(const tr_scene *s, int item) {
     (void)item;
@@ -69,6 +81,10 @@ const tr_cause tr_causes[] = {
      law_elements},
     {"elements", "the elements of the contact", PATCH, "elements", 2, 4, 1, 4, 1, true, true, 3, 4000, NULL,
      patch_elements},
+    {"merging", "the merging of the bed's history", CONTACT, "laws.*.breakpoints", M_SQRT2, 1.1, 4, 0, NAN, true, true,
+     4, 16, laws, law_breakpoints},
+    {"merging", "the merging of the bed's history", BODIES, "contact.breakpoints", M_SQRT2, 1.1, 4, 0, NAN, true, true,
+     4, 16, NULL, breakpoints},
     {"inertia", "the speed of the test", BIAXIAL, "shear.inertial_number", 0.5, 2, 1, 3, NAN, false, true, 0, 1e6, NULL,
      inertial_number},
     {"stiffness", "the stiffness of the contacts", BIAXIAL, "contact.k_n", 2, 1.4, 1, 3, NAN, false, true, 0, 1e15,
@@ -100,6 +116,7 @@ bool tr_cause_applies(const tr_cause *cause, const tr_scene *scene) {
 
 double tr_cause_setting(const tr_cause *cause, const tr_scene *scene, int item, int level) {
     double x = cause->own(scene, item) * tr_pow(cause->finer, level);
+    if (cause->whole && cause->finer != floor(cause->finer)) x = round(x);
     bool fits = x >= cause->least && x <= cause->most && (!cause->whole || x == floor(x));
     return fits ? x : NAN;
 }

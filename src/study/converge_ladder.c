@@ -45,21 +45,23 @@ static bool find_order(tr_ladder *l, const double *v, int last, double r) {
     return true;
 }
 
-/* Least squares of ln D over the level; the last difference is of two levels only and does not count. */
+/* D_k: the largest change to the next two levels. Least squares of ln D over the level. */
 static bool find_scatter(tr_ladder *l, const double *v, int first, int last, double r) {
-    enum { LEAST = 5 }; /* levels that count */
+    enum { LEAST = 3 };
+    static const double SLOWEST = 0.6; /* a drift without an end, as ln k, falls slower than that from five levels on */
+    static const double TAKEN = 0.75;  /* at most: a slope of few levels may be steep by chance */
     double n = 0, x = 0, y = 0, xx = 0, xy = 0, top = 0;
     for (int k = first; k < last - 1; k++) {
-        double D = log(change(v, k, last)) / log(r);
+        double D = log(change(v, k, k + 2)) / log(r);
         if (!isfinite(D)) return false;
         n++, x += k, y += D, xx += (double)k * k, xy += k * D;
     }
     double q = -(n * xy - x * y) / (n * xx - x * x);
-    if (n < LEAST || !(q >= 0.5)) return false;
-    q = fmin(q, 1);
-    for (int k = first; k < last; k++) top = fmax(top, change(v, k, last) * tr_pow(r, q * (k - last)));
+    if (n < LEAST || !(q >= SLOWEST)) return false;
+    q = fmin(q, TAKEN);
+    for (int k = first; k < last - 1; k++) top = fmax(top, change(v, k, k + 2) * tr_pow(r, q * (k - last)));
     l->verdict = TR_VERDICT_SCATTERED;
-    l->limit = v[last], l->unsure = 2 * top;
+    l->limit = v[last], l->unsure = 3 * top;
     return true;
 }
 
@@ -68,8 +70,8 @@ tr_ladder tr_ladder_of(const double *value, int n, int own, double r, double sca
     int first = own, last = own;
     while (first > 0 && isfinite(value[first - 1])) first--;
     while (last < n - 1 && isfinite(value[last + 1])) last++;
-    if (isnan(value[own]) || last == own) return l;
-    l.seen = 0;
+    if (isnan(value[own]) || (last == own && last - first < 4)) return l;
+    l.seen = last == own ? fabs(value[own] - value[own - 1]) : 0;
     for (int k = own + 1; k <= last; k++) l.seen = fmax(l.seen, fabs(value[k] - value[own]));
     double all = change(value, first, last);
     if (all <= ROUNDING * scale) {

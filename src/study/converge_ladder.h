@@ -7,9 +7,9 @@
  *   order      differences of one sign whose ratio is r^p: three of these observed p, from five levels, agree to 0.3.
  *              Then v = v_k + (v_k - v_{k-1})/(r^p - 1) [Richardson1911]; its own error is how far it moved with the
  *              last level
- *   scattered  a kink falls where it falls between two steps. The largest change from level k on, D_k, falls as
- *              r^(-q k), q 0.5 or more; the envelope A r^(-q k) lies above all of them, and twice it bounds what is
- *              left at the finest level
+ *   scattered  a kink falls where it falls between two steps. The largest change from level k to the next two, D_k,
+ *              falls as r^(-q k), q 0.6 or more; the envelope A r^(-q k) with q 0.75 at most lies above all of them, and
+ *              three times it bounds what is left at the finest level
  *   open       none of these: not converged within the range. There is no number
  *
  * With a sample a level has a value of each seed, and what counts is the difference from the case's own level, seed

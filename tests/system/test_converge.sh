@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# trundle converge: the errors that it reports hold the true ones, where those are known in closed form; it goes on where it was
-# stopped; it keeps to its budget; what is wrong is told.
+# trundle converge: the errors that it reports hold the true ones, where those are known in closed form; it goes on where
+# it was stopped; it keeps to its budget; what is wrong is told.
 set -u
 # shellcheck source=tests/system/tap.sh
 . "$(dirname "$0")/tap.sh"
@@ -33,8 +33,8 @@ column() {
         NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) k = i }
         $1 == number && $2 == cause { print $k }' "$1/converge.csv"
 }
-# holds DIR NUMBER CAUSE EXACT [MOST]: the value is within its error of the exact one, the limit within its own, and the error is at
-# most MOST times the true one
+# holds DIR NUMBER CAUSE EXACT [MOST]: the value is within its error of the exact one, the limit within its own, and the
+# error is at most MOST times the true one
 holds() {
     awk -v v="$(column "$1" "$2" "$3" value)" -v e="$(column "$1" "$2" "$3" error)" -v exact="$4" -v most="${5:-1e9}" \
         -v l="$(column "$1" "$2" "$3" limit)" -v u="$(column "$1" "$2" "$3" limit_error)" '
@@ -64,7 +64,8 @@ check 'its reported error holds the true one, and is at most twice that' holds s
 check 'the order of leapfrog is seen: 2' between "$(column spring checks.0.measured step order)" 1.9 2.1
 check 'and told' says stdout 'Order 1.9'
 
-# Two disks that stick: the tangential rebound depends on when the contact ends, which is between two steps. cos(pi sqrt(3 k_t/k_n)).
+# Two disks that stick: the tangential rebound, cos(pi sqrt(3 k_t/k_n)), depends on when the contact ends, which is between
+# two steps.
 cat >oblique.yaml <<'CASE'
 kind: bodies
 time_end: 3 ms
@@ -113,16 +114,36 @@ check 'the exact step of a law has no error' between "$(column path laws.1.Q_end
 check 'nor has a spring' between "$(column path laws.2.Q_end_N_per_m step error)" 0 1e-6
 exact=$(column path laws.1.Q_end_N_per_m step value)
 check 'backward Euler goes to the exact step' holds path laws.0.Q_end_N_per_m step "$exact" 2
+Q_end=$(column path laws.0.Q_end_N_per_m step value)
 check 'a cell of the table, at the end of the first segment' \
     converge_gives 0 path.yaml -o path --of contact.0.Q_N_per_m@1 -j 2
-check 'is the same' equals "$(column path contact.0.Q_N_per_m@1 step value)" "$(awk -F, '$1 == "contact.0.Q_N_per_m@1" { print $6; exit }' path/converge.csv)"
+check 'is the number at the end' equals "$(column path contact.0.Q_N_per_m@1 step value)" "$Q_end"
+
+# The bed of a law keeps 16 breakpoints. A path that needs more merges some; one that needs fewer has no such cause.
+sed '/dahlberg/d; s/coulomb-spring/cattaneo-mindlin/; s/, k_t: pi.E_star.11.4//; /^path/d' path.yaml >bed.yaml
+cat >>bed.yaml <<'CASE'
+path:
+  - {force: 10 kN/m, slide: 0.1 um, steps: 40}
+  - {force: 20 kN/m, slide: -0.06 um, roll: 0.3*a, steps: 40}
+  - {force: 35 kN/m, slide: 0.02 um, roll: 0.3*a, steps: 40}
+CASE
+sed '$d' bed.yaml | sed '$d' >short.yaml
+causes() { awk -F, 'NR > 1 { print $2 }' "$1/converge.csv" | sort -u | tr '\n' ' '; }
+check 'a bed that merges' converge_gives 0 bed.yaml -o bed -j 2 --budget 20s
+check 'has that cause' equals "$(causes bed)" 'merging step '
+differs() { awk -F, '$1 == "laws.0.Q_end_N_per_m" && $2 == "merging" { print $3, $5 }' bed/levels.csv | awk '
+    { print; if (NR == 1) first = $2 } END { exit !(NR == 5 && first != $2 && $1 == 16) }'; }
+check 'with 4 breakpoints its answer is another one than with 16' differs
+check 'a bed that does not' converge_gives 0 short.yaml -o short -j 2 --budget 20s
+check 'has it not' equals "$(causes short)" 'step '
 
 # ---- what it leaves ----
 files='comment.txt
 converge.csv
 converge.md
 levels.csv'
-check 'tables, text and a comment' equals "$(cd spring && ls ./*.csv ./*.md ./*.txt | sed 's|./||' | grep -v trundle-files)" "$files"
+left() { (cd spring && ls ./*.csv ./*.md ./*.txt | sed 's|./||' | grep -v trundle-files); }
+check 'tables, text and a comment' equals "$(left)" "$files"
 check 'without gnuplot it says so' says spring/converge.md 'gnuplot is not installed'
 PATH=$everything
 if command -v gnuplot >/dev/null; then
@@ -138,7 +159,10 @@ stamps() { find "$1/points" -name summary.json -exec ls -l --time-style=full-iso
 before=$(stamps spring)
 check 'again: nothing runs' converge_gives 0 spring.yaml -o spring -j 2
 check 'indeed' equals "$(stamps spring)" "$before"
-a_level() { "$TRUNDLE" sweep spring/sweeps/step1.yaml -o spring/points >stdout 2>stderr && says stdout '1: 1 finished before'; }
+a_level() {
+    "$TRUNDLE" sweep spring/sweeps/step1.yaml -o spring/points >stdout 2>stderr &&
+        says stdout '1: 1 finished before'
+}
 check 'a level is a sweep' a_level
 rm -rf spring/points/safety=0.05
 check 'a run that is gone is made again' converge_gives 0 spring.yaml -o spring -j 2
@@ -166,7 +190,8 @@ check 'a biaxial test within a budget' converge_gives 0 small.yaml -o small -j 2
 took=$(($(date +%s) - start))
 check 'which is kept' test "$took" -le 11
 check 'a cause for each setting, and the sample' \
-    equals "$(awk -F, '$1 == "sin_phi_peak" { print $2 }' small/converge.csv | tr '\n' ' ')" 'step inertia stiffness compaction size sample '
+    equals "$(awk -F, '$1 == "sin_phi_peak" { print $2 }' small/converge.csv | tr '\n' ' ')" \
+    'step inertia stiffness compaction size sample '
 check 'the power is told' says stdout 'with a power of 80 %'
 check 'all levels are paired with the seeds of the case' test -e 'small/points/safety=0.2,seed=3/summary.json'
 same_as_seed() { cmp small/points/kind=biaxial,seed=4/history.csv hand/history.csv; }
@@ -174,8 +199,9 @@ check 'a seed by hand' run_gives 0 small.yaml --seed 4 -o hand
 check 'is the point' same_as_seed
 
 # ---- wrong input ----
-check 'a number that does not exist: those that do' refused 'no number `sin_phi_peek` (did you mean `sin_phi_peak`?); there are: ' \
-    small.yaml -o no --of sin_phi_peek
+# shellcheck disable=SC2016 # the backticks are the message's
+check 'a number that does not exist: those that do' \
+    refused 'no number `sin_phi_peek` (did you mean `sin_phi_peak`?); there are: ' small.yaml -o no --of sin_phi_peek
 check 'a column that does not exist' refused 'no column' flight.yaml -o no --of history.0.nothing@end
 check 'a cell that is none' refused 'history.DISK.COLUMN@TIME' flight.yaml -o no --of history.vx@0
 check 'an instant that is not reached' refused 'does not reach' flight.yaml -o no --of history.0.vx_m_per_s@5
