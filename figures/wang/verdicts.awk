@@ -21,20 +21,21 @@ NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i; next }
     opposed[v, m, s] = $column["opposed_fraction_residual"]
 }
 # d[1 ... n]: a number of each seed
-function judge(claim, model, from, to,   i, n, sum, squares, mean, half, verdict, more, edge) {
+function judge(claim, model, from, to,   i, n, sum, squares, mean, half, verdict, more, edge, low, high) {
     n = n_seeds
     for (i = 1; i <= n; i++) sum += d[i]
     mean = sum/n
     for (i = 1; i <= n; i++) squares += (d[i] - mean)^2
-    half = n > 1 ? student(0.05, n - 1)*sqrt(squares/(n - 1)/n) : 1e9
-    verdict = mean - half >= from && mean + half <= to ? "holds" : mean + half < from || mean - half > to ? "fails" : "undecided"
+    half = n > 1 ? student(0.05, n - 1)*sqrt(squares/(n - 1)/n) : "" # of one seed there is no interval
+    verdict = n < 2 ? "undecided" : mean - half >= from && mean + half <= to ? "holds" : mean + half < from || mean - half > to ? "fails" : "undecided"
     more = ""
     if (verdict == "undecided") { # distance to the edge that is next
         edge = mean - from < 0 ? from - mean : mean - from
         if ((to - mean < 0 ? mean - to : to - mean) < edge) edge = to - mean < 0 ? mean - to : to - mean
-        more = sprintf("%d", n*(half/edge)^2 + 1)
+        more = n < 2 ? "2 or more" : edge > 0 ? sprintf("%.0f", int(n*(half/edge)^2 + 1)) : ""
     }
-    printf "%s,%s,%.4f,%.4f,%.4f,%g,%g,%d,%s,%s\n", claim, model, mean, mean - half, mean + half, from, to, n, verdict, more
+    low = n < 2 ? "" : sprintf("%.4f", mean - half); high = n < 2 ? "" : sprintf("%.4f", mean + half)
+    printf "%s,%s,%.4f,%s,%s,%g,%g,%d,%s,%s\n", claim, model, mean, low, high, from, to, n, verdict, more
 }
 # the mean over mu_r between two bounds of a model less wang, of one seed
 function less(x, v, s, low, high,   i, n, sum) {

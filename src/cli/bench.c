@@ -44,7 +44,7 @@ static error_t parse(int key, char *value, struct argp_state *state) {
     else if (key == ARGP_KEY_ARG && !a->file)
         a->file = value;
     else if (key == ARGP_KEY_ARG)
-        argp_error(state, "one case file at a time");
+        tr_cli_second_file(state, a->set, a->n_set, a->file, value);
     else if (key == ARGP_KEY_END && a->out && !a->features && !a->largest)
         argp_error(state, "-o needs --features or --sizes");
     else if (key == ARGP_KEY_END && (a->features) + (a->largest > 0) + (a->packing != NULL) > 1)

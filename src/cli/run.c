@@ -108,7 +108,8 @@ static error_t parse(int key, char *value, struct argp_state *state) {
         add_short(a, "output.frames", value, state);
         break;
     case ARGP_KEY_ARG:
-        if (a->file) argp_error(state, "one case file, or one kind, at a time");
+        if (a->file && a->keys) argp_error(state, "one kind of case at a time");
+        if (a->file) tr_cli_second_file(state, a->set, a->n_set, a->file, value);
         a->file = value;
         break;
     default:

@@ -84,8 +84,9 @@ static void show(void *context, const char *stage, double fraction) {
     tr_progress_show(&a->progress, stage, fraction);
 }
 
-static bool list(const tr_grid *g) {
+static bool list(const tr_grid *g, tr_status *st) {
     char name[TR_POINT_NAME];
+    if (!tr_grid_scenes(g, st)) return false;
     for (int point = 0; point < g->n; point++) {
         tr_grid_name(g, point, name);
         printf("%d %s\n", point, name);
@@ -148,7 +149,7 @@ int tr_cli_sweep(int argc, char **argv) {
     if (!a.dir) a.dir = dir;
     if (tr_grid_read(&grid, a.file, a.yes, &st)) {
         if (a.list)
-            list(&grid);
+            list(&grid, &st);
         else if (a.collect)
             collect(&grid, &a, &st);
         else

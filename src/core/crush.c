@@ -60,6 +60,14 @@ void tr_crush_say(const tr_world *world, const tr_crush *crush, char *text, size
     double R1 = crush->walls ? 0 : d->pos[one + 3], R2 = d->pos[two + 3];
     bool given = moves_as_given(inv2, d->vel + two) ||
                  (crush->walls ? wall_moves(&world->wall[crush->a]) : moves_as_given(inv1, d->vel + one));
+    if (world->steps == 0 && crush->walls && crush->delta > R2) {
+        const tr_wall *wall = &world->wall[crush->a];
+        snprintf(text, size,
+                 "; disk %d is behind wall %d, whose normal points to the other side: write nx: %g, ny: %g, or place "
+                 "the disk in front",
+                 crush->b, crush->a, 0.0 - wall->nx, 0.0 - wall->ny);
+        return;
+    }
     if (world->steps == 0) {
         snprintf(text, size, "; the scene starts so: place them further apart");
         return;

@@ -55,6 +55,25 @@ static const unit units[] = {
     {"rad", 1, {0, 0, 0, 0}},
 };
 
+/* What to write for characters that are no part of a value. */
+static const struct {
+    const char *text, *write;
+} instead[] = {
+    {",", "a number has a decimal point, and nothing between thousands: write 0.3 for 0,3, and 1000 for 1,000"},
+    {"%", "write 0.2 for 20 %"},
+    {"°", "write 10 deg for 10 °"},
+    {"µ", "write um for µm"}, /* the micro sign */
+    {"μ", "write um for μm"}, /* the Greek letter */
+    {"−", "write - for the minus"},
+    {"–", "write - for the minus"},
+    {"·", "write * between factors"},
+    {"×", "write * between factors"},
+    {"²", "write ^2"},
+    {"³", "write ^3"},
+    {"½", "write 1/2"},
+    {"π", "write pi"},
+};
+
 static const char *const functions[] = {"sqrt", "exp", "sin", "cos", "tan", "atan"};
 
 typedef struct operand {
@@ -180,6 +199,15 @@ static bool translate_name(translation *t, const char *text, size_t at, size_t n
     return true;
 }
 
+static bool fail_character(const char *text, size_t i, tr_problem *problem) {
+    fail(problem, i, "this character cannot stand in a value; allowed are numbers, names, + - * / ^ ( )");
+    for (size_t k = 0; k < sizeof instead / sizeof *instead; k++)
+        if (strncmp(text + i, instead[k].text, strlen(instead[k].text)) == 0)
+            snprintf(problem->text, sizeof problem->text, "`%s` cannot stand in a value; %s", instead[k].text,
+                     instead[k].write);
+    return false;
+}
+
 /* The grammar: operand and operator take turns. */
 static bool translate(translation *t, const char *text, const tr_names *names, tr_problem *problem) {
     size_t i = 0;
@@ -190,9 +218,7 @@ static bool translate(translation *t, const char *text, const tr_names *names, t
         const bool may_sign = !sign;
         size_t n = name_length(text + i);
         if (c == ' ') continue;
-        if (!n && !is_digit(c) && !strchr(".+-*/^()", c))
-            return fail(problem, i,
-                        "this character cannot stand in a value; allowed are numbers, names, + - * / ^ ( )");
+        if (!n && !is_digit(c) && !strchr(".+-*/^()", c)) return fail_character(text, i, problem);
         if (!wanted && number && n) emit(t, "*"), wanted = true;
         number = sign = false;
         if (wanted && n) {

@@ -113,8 +113,34 @@ static int inner_of(const reader *c, const tr_scope *s, int i) {
     return s->item < 0 || *s->sub ? tr_n_sections : tr_tables_inside(s->section, c->kind, i);
 }
 
+static bool has_key(const tr_param *params, int n, const char *key) {
+    for (int i = 0; i < n; i++)
+        if (strcmp(params[i].key, key) == 0) return true;
+    return false;
+}
+
+static bool some_law_has(const reader *c, int first_slot, const char *key) {
+    for (int k = first_slot - 1; first_slot && k < TR_SLOTS; k++) {
+        tr_law_place slot = tr_tables_slot(c->r.catalog, k);
+        for (int i = 0; i < slot.n; i++)
+            if (has_key(slot.laws[i]->params, slot.laws[i]->n, key)) return true;
+    }
+    return false;
+}
+
+/* The way to a key of another section of this kind of case: "contact.mu_r", "disks.0.radius". */
+static bool other_section(const reader *c, const char *key, char *name, size_t size) {
+    for (const tr_section *t = tr_sections; t < tr_sections + tr_n_sections; t++) {
+        if (!*t->key || !(t->kinds & c->kind) || t->derived) continue;
+        if (!has_key(t->params, t->n, key) && !some_law_has(c, t->first_slot, key)) continue;
+        snprintf(name, size, "%s.%s%s", t->key, t->item ? "0." : "", key);
+        return true;
+    }
+    return false;
+}
+
 static bool unknown_key(reader *c, const tr_scope *s, const tr_node *child) {
-    char list[200] = "";
+    char list[200] = "", place[64];
     tr_near near = {NULL, 0};
     for (int i = 0; i < s->n; i++)
         if (!s->entries[i].derived) offer(list, sizeof list, &near, child->key, s->entries[i].param->key);
@@ -125,11 +151,13 @@ static bool unknown_key(reader *c, const tr_scope *s, const tr_node *child) {
     for (int i = -1; (i = inner_of(c, s, i)) < tr_n_sections;)
         offer(list, sizeof list, &near, child->key, tr_sections[i].key);
     tr_shown key = tr_resolve_name(s, child->key);
-    const tr_section *other = elsewhere(s, child->key);
+    bool placed = other_section(c, child->key, place, sizeof place);
+    const tr_section *other = placed && !*s->section ? NULL : elsewhere(s, child->key);
     const tr_entry *first = other && other->kinds & c->kind ? s->entries : c->r.scopes->entries; /* which says that */
     if (other)
         return tr_text_fail(c->st, child->key_mark, "`%s` is not for `%s: %s`; allowed here: %s", key.text,
                             first->param->key, first->node->text, list);
+    if (placed) near.word = place;
     return tr_text_fail(c->st, child->key_mark, "unknown key `%s`%s; allowed here: %s", key.text,
                         tr_text_hint(&near).text, list);
 }
@@ -154,11 +182,12 @@ static bool check_keys(reader *c, const tr_scope *s) {
 }
 
 /* `walls:` without a value is an empty section. */
-static bool check_type(reader *c, const tr_node *node, tr_node_type type, const char *what) {
+static bool check_type(reader *c, const tr_node *node, tr_node_type type, const char *what, const char *example) {
     bool empty = node && node->type == TR_NODE_VALUE && !*node->text;
     if (!node || node->type == type || empty) return true;
-    return tr_text_fail(c->st, node->mark, "%s must be a %s", what,
-                        type == TR_NODE_LIST ? "list, one `- key: value` for each" : "mapping of keys and values");
+    return tr_text_fail(c->st, node->mark, "%s must be a %s%s%s", what,
+                        type == TR_NODE_LIST ? "list, one `- key: value` for each" : "mapping of keys and values",
+                        *example ? ": write " : "", example);
 }
 
 /* Units and defaults depend on the shape, so it is read as soon as its scope exists. */
@@ -174,7 +203,7 @@ static bool read_mapping(reader *c, const tr_section *t) {
     const tr_node *node = tr_tree_find(c->root, t->key);
     char what[48];
     snprintf(what, sizeof what, "`%s`", t->key);
-    if (!check_type(c, node, TR_NODE_MAPPING, what)) return false;
+    if (!check_type(c, node, TR_NODE_MAPPING, what, t->example ? t->example : "")) return false;
     tr_scope *s = open_scope(c, t->key, -1, node);
     for (const tr_section *u = t; u; u = tr_tables_next(u, c->kind))
         add_rows(c, s, u->params, u->n, field(c->scene, u->offset), NULL);
@@ -227,7 +256,7 @@ static bool read_list(reader *c, const tr_section *t) {
     char what[48];
     snprintf(what, sizeof what, "`%s`", t->key);
     if (t->file && node && node->type == TR_NODE_VALUE && *node->text) return read_file_name(c, t, node);
-    if (!check_type(c, node, TR_NODE_LIST, what)) return false;
+    if (!check_type(c, node, TR_NODE_LIST, what, "")) return false;
     int n = node ? tr_tree_count(node) : 0;
     if (n < t->min_items || n > t->max_items)
         return tr_text_fail(c->st, node ? node->mark : c->document->end, "`%s` has %d items, allowed is %d to %d",
@@ -239,7 +268,7 @@ static bool read_list(reader *c, const tr_section *t) {
     const tr_node *child = n ? node->child : NULL;
     for (int i = 0; i < n; i++, child = child->next) {
         snprintf(what, sizeof what, "`%s.%d`", t->key, i);
-        if (!check_type(c, child, TR_NODE_MAPPING, what)) return false;
+        if (!check_type(c, child, TR_NODE_MAPPING, what, "")) return false;
         tr_scope *s = open_scope(c, t->key, i, child);
         char *item = items + (size_t)i * t->item;
         for (const tr_section *u = t; u; u = tr_tables_next(u, c->kind)) {
@@ -317,7 +346,7 @@ static bool resolve_all(reader *c) {
 }
 
 static bool read_document(reader *c) {
-    if (!check_type(c, c->root, TR_NODE_MAPPING, "a case")) return false;
+    if (!check_type(c, c->root, TR_NODE_MAPPING, "a case", "")) return false;
     if (!reserve(c) || !read_root(c)) return false;
     for (int i = 0; i < tr_n_sections; i++) {
         const tr_section *t = &tr_sections[i];

@@ -175,6 +175,8 @@ static bool read_choice(tr_resolver *r, tr_entry *e, const char *text) {
         if (strcmp(was->key, e->param->key) == 0 && strcmp(was->old, text) == 0)
             return fail(r, e, 0, "`%s` has another name now: write %s", text, was->now);
     }
+    if (strcmp(e->param->key, "kind") == 0 && strcmp(text, "sweep") == 0)
+        return fail(r, e, 0, "this is a sweep over many cases: `trundle sweep` runs it; a case has `kind`: %s", list);
     return fail(r, e, 0, "`%s` is not a choice for `%s`%s; allowed is %s", tr_text_show(text).text, e->param->key,
                 tr_text_hint(&near).text, list);
 }

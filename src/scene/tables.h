@@ -22,7 +22,8 @@ enum {
 typedef struct tr_section {
     const char *key; /* in the root mapping; "": the root mapping itself */
     const char *doc;
-    unsigned kinds; /* TR_FOR_* */
+    const char *example; /* of a mapping: for one who gave a value in its place; NULL: none is asked for */
+    unsigned kinds;      /* TR_FOR_* */
     const tr_param *params;
     int n;
     size_t offset; /* in tr_scene, of the struct that the rows describe; of a list: of the pointer to its items */

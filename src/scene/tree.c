@@ -51,8 +51,22 @@ static tr_node *add(builder *b, tr_node_type type, tr_mark mark) {
     return node;
 }
 
+static bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+/* `{mu: 0,3}` says that mu is 0, and 3 is a key. */
+static bool check_comma(const builder *b, tr_mark mark, const char *text) {
+    const tr_node *last = b->levels[b->depth].last;
+    size_t n = last && last->text ? strlen(last->text) : 0;
+    if (!is_digit(*text) || !n || !is_digit(last->text[n - 1])) return true;
+    return tr_text_fail(b->st, mark, "a number has a decimal point: write `%s: %s.%s`", tr_text_show(last->key).text,
+                        tr_text_show(last->text).text, tr_text_show(text).text);
+}
+
 static bool add_key(builder *b, tr_mark mark, const char *text, size_t length) {
     level *up = &b->levels[b->depth];
+    if (!check_comma(b, mark, text)) return false;
     for (const tr_node *node = up->node->child; node; node = node->next) {
         if (strcmp(node->key, text) == 0)
             return tr_text_fail(b->st, mark, "duplicate key `%s`; it is already given in line %d",

@@ -34,7 +34,7 @@ struct tr_run_report {
     } line[24 + TR_MAX_LANES * 32];       /* 32: checks of a scene */
     int failed;                           /* checks; the run is complete */
     int n_warnings;                       /* the first of the notes: known before the run */
-    char note[8 + 3 * TR_MAX_LANES][400]; /* 3: warnings of a scene */
+    char note[8 + 5 * TR_MAX_LANES][400]; /* 5: warnings of a scene */
 };
 
 /* A line or a note, like printf. */

@@ -110,6 +110,16 @@ bool tr_grid_scene(const tr_grid *g, int point, tr_scene *scene, tr_status *st) 
     return ok;
 }
 
+bool tr_grid_scenes(const tr_grid *g, tr_status *st) {
+    for (int axis = -1; axis < g->n_vary; axis++)
+        for (int i = 0; i < (axis < 0 ? 1 : g->axis[axis].n); i++) {
+            tr_scene scene;
+            if (!tr_grid_scene(g, axis < 0 ? 0 : tr_grid_with(g, 0, axis, i), &scene, st)) return false;
+            tr_scene_free(&scene);
+        }
+    return true;
+}
+
 static bool has_numbers(const tr_grid *g, const char *summary, tr_status *st) {
     tr_status inner = {0};
     double value;

@@ -73,6 +73,9 @@ void tr_grid_sets_free(const tr_grid *g, char **sets);
 /* Reads the case of a point. A failure names the point, and the place of the value in the sweep file. */
 bool tr_grid_scene(const tr_grid *g, int point, tr_scene *scene, tr_status *st);
 
+/* The same of a point for each value. Which values go together a run tells. */
+bool tr_grid_scenes(const tr_grid *g, tr_status *st);
+
 /* BEGUN: this run, but not finished. The states between BEGUN and FINISHED have a summary.json and run again: of
  * another case; with a summary that cannot be read; of another version of the program; without a number to collect. */
 typedef enum tr_point_state {

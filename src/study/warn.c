@@ -81,9 +81,23 @@ static void warn_fit_bodies(const tr_bodies *b, const char *of, tr_run_report *r
     warn_fit(&f, of, where, more, report);
 }
 
+/* Gravity that points away from all walls, which are there to carry the disks. */
+static void warn_gravity(const tr_bodies *b, const char *of, tr_run_report *report) {
+    const tr_scene *scene = b->scene;
+    bool away = scene->n_walls > 0 && scene->gravity.turn == 0, free = false;
+    for (int i = 0; i < scene->n_walls; i++)
+        away &= scene->gravity.x * scene->walls[i].nx + scene->gravity.y * scene->walls[i].ny > 0;
+    for (int i = 0; i < scene->n_disks; i++) free |= scene->disks[i].motion == TR_FREE;
+    if (away && free)
+        tr_run_note(report,
+                    "%sgravity (%g, %g) m/s^2 points away from %s: disks fly off. Down is negative: gravity: {y: -9.81}",
+                    of, scene->gravity.x, scene->gravity.y, scene->n_walls > 1 ? "all walls" : "the wall");
+}
+
 void tr_warn_bodies(const tr_bodies *b, const char *label, tr_run_report *report) {
     char of[64] = "";
     if (*label) snprintf(of, sizeof of, "%s: ", label);
+    warn_gravity(b, of, report);
     warn_tangent(b, of, report);
     warn_resolution(b, of, report);
     warn_fit_bodies(b, of, report);

@@ -364,6 +364,45 @@ static void assert_messages(const begin_case *rows, size_t n) {
     assert_int_equal(failed, 0);
 }
 
+/* What people write who come from elsewhere: the message says what to write here. */
+static void habits_messages(void **state) {
+    (void)state;
+/* A text with a character of several bytes is told by its beginning. */
+#define ONE_DISK "contact: {k_n: 1 MPa}\ndisks: [{radius: 1, x: 0, y: 0}]\n"
+    static const begin_case rows[] = {
+        {GOOD "step: {dt: 0,3}\n", "a.yaml:5:14: error: a number has a decimal point: write `dt: 0.3`\n"},
+        {GOOD "step: {dt: 0,3, safety: 0,3}\n", "a.yaml:5:14: error: a number has a decimal point: write `dt: 0.3`\n"},
+        {NO_DISKS "disks: [{radius: 0,5 mm, x: 0, y: 0}]\n",
+         "a.yaml:4:20: error: a number has a decimal point: write `radius: 0.5 mm`\n"},
+        {GOOD "step: {safety: 0.1, 3: 4}\n", "a.yaml:5:21: error: a number has a decimal point: write `safety: 0.1.3`\n"},
+        {GOOD "step: {3: 4}\n", "a.yaml:5:8: error: unknown key `step.3`"},
+        {"kind: bodies\ntime_end: 0,3 s\n" ONE_DISK,
+         "a.yaml:2:12: error: `,` cannot stand in a value; a number has a decimal point, and nothing between "
+         "thousands: write 0.3 for 0,3, and 1000 for 1,000 (`time_end` is in s)\n"},
+        {"kind: bodies\ntime_end: 20% \n" ONE_DISK, "a.yaml:2:13: error: `%` cannot stand in a value; write 0.2 for 20 % ("},
+        {"kind: bodies\ntime_end: 20 %\n" ONE_DISK, "a.yaml:2:14: error: `%` cannot stand in a value; write 0.2 for 20 % ("},
+        {"kind: bodies\ntime_end: 10°\n" ONE_DISK, "a.yaml:2:11: error: `°` cannot stand in a value; write 10 deg for 10 ° ("},
+        {"kind: bodies\ntime_end: 10 µs\n" ONE_DISK, "a.yaml:2:11: error: `µ` cannot stand in a value; write um for µm ("},
+        {"kind: bodies\ntime_end: −1 s\n" ONE_DISK, "a.yaml:2:11: error: `−` cannot stand in a value; write - for the minus ("},
+        {"kind: bodies\ntime_end: 2·3 s\n" ONE_DISK, "a.yaml:2:11: error: `·` cannot stand in a value; write * between factors ("},
+        {"kind: bodies\ntime_end: 1 s²\n" ONE_DISK, "a.yaml:2:11: error: `²` cannot stand in a value; write ^2 ("},
+        {"kind: bodies\ntime_end: 1 €\n" ONE_DISK, "a.yaml:2:11: error: this character cannot stand in a value; allowed are "},
+        {GOOD "mu: 0.3\n", "a.yaml:5:1: error: unknown key `mu` (did you mean `contact.mu`?); allowed here: kind, "},
+        {GOOD "frames: 3\n", "a.yaml:5:1: error: unknown key `frames` (did you mean `output.frames`?); allowed here: "},
+        {GOOD "output: {r_min: 3}\n",
+         "a.yaml:5:10: error: unknown key `output.r_min` (did you mean `sample.r_min`?); allowed here: frames, "},
+        {GOOD_BODIES "radius: 3\n", "a.yaml:5:1: error: unknown key `radius` (did you mean `disks.0.radius`?); allowed "},
+        {ROLL "slide: 3\n", "a.yaml:5:1: error: unknown key `slide` (did you mean `path.0.slide`?); allowed here: kind, "},
+        {GOOD_BODIES "gravity: -9.81\n", "a.yaml:5:10: error: `gravity` must be a mapping of keys and values: write "
+                                         "gravity: {y: -9.81 m/s^2}\n"},
+        {GOOD_BODIES "lesson: Coasting\n", "a.yaml:5:9: error: `lesson` must be a mapping of keys and values: write "
+                                           "lesson: {title: what there is to see}\n"},
+        {"kind: sweep\nbase: a.yaml\n", "a.yaml:1:7: error: this is a sweep over many cases: `trundle sweep` runs it; "
+                                         "a case has `kind`: biaxial | bodies | contact | patch\n"},
+    };
+    assert_messages(rows, sizeof rows / sizeof *rows);
+}
+
 /* Along a path the columns of contact.csv are measured. */
 static void path_check_messages(void **state) {
     (void)state;
@@ -630,6 +669,7 @@ static void contact_messages(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(messages),       cmocka_unit_test(contact_messages),
                                        cmocka_unit_test(patch_messages), cmocka_unit_test(bodies_messages), cmocka_unit_test(path_check_messages),
+        cmocka_unit_test(habits_messages),
                                        cmocka_unit_test(limits),         cmocka_unit_test(too_many_disks),
                                        cmocka_unit_test(long_lines)};
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -34,6 +34,24 @@ check '--version: 0' program_gives 0 --version
 check 'run --help: 0' program_gives 0 run --help
 check 'no case: 2' program_gives 2 run
 check 'two cases: 2' program_gives 2 run small.yaml bodies.yaml
+check 'which are named' says stderr 'one case file at a time, and these are two: small.yaml bodies.yaml'
+# of --set
+whole='--set takes KEY=VALUE in one word: --set contact.mu_r=VALUE'
+check 'a value apart from its key: 2' fails 2 "$whole" small.yaml --set contact.mu_r 0.1
+check 'before the case' fails 2 "$whole" --set contact.mu_r 0.1 small.yaml
+check 'behind the =' fails 2 "$whole" small.yaml --set contact.mu_r= 0.1
+check 'before the =' fails 2 "$whole" small.yaml --set contact.mu_r =0.1
+check 'no --set: 2' fails 2 'to change a key of the case write --set contact.mu_r=0.1' small.yaml contact.mu_r=0.1
+check 'of bench too: 2' program_gives 2 bench small.yaml --set contact.mu_r 0.1
+check 'with the same words' says stderr "$whole"
+# a file of another command
+printf 'kind: sweep\nbase: small.yaml\nvary: {contact.mu: [0.1, 0.2]}\n' >sweep.yaml
+check 'a sweep is no case: 2' fails 2 'sweep.yaml:1:7: error: this is a sweep over many cases: `trundle sweep` runs it' sweep.yaml
+check 'a case is no sweep: 2' program_gives 2 sweep small.yaml
+check 'which says what runs it' says stderr 'trundle run runs a single case'
+check 'a file is no run to replay: 2' program_gives 2 replay small.yaml
+check 'which says what is' says stderr 'small.yaml is a file; a replay is of the directory of a finished run'
+
 check 'all keys: 0' program_gives 0 run --keys
 check 'keys of a kind: 0' program_gives 0 run --keys patch
 check 'keys of no kind: 2' program_gives 2 run --keys small.yaml

@@ -50,4 +50,9 @@ check 'a given motion cannot be stopped: no value' run_gives 4 impact.yaml -o ou
 check 'but it says what presses' says stderr 'the given motion presses it'
 check 'nor what overlaps at the start' run_gives 4 impact.yaml -o out --force --set disks.1.x=0.5
 check 'which is told' says stderr 'it is so at the start: place them further apart'
+# below the floor, or the floor turned over: both are told as the same thing
+for ny in -1 1; do
+    check "a disk behind a wall, ny: $ny" run_gives 4 weight.yaml -o out --force --set walls.0.ny=$ny --set "disks.0.y=-($ny)*disks.0.radius"
+    check 'is told, and what to write' says stderr "disk 0 is behind wall 0, whose normal points to the other side: write nx: 0, ny: $((-ny)), or place"
+done
 finish

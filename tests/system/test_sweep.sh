@@ -213,6 +213,15 @@ sed 's/mu_r:/mu_R:/; /compare/d' sweep.yaml >bad.yaml
 check 'an unknown key' sweep_gives 2 bad.yaml -o bad
 check 'its line' says stderr 'bad.yaml:4:8: error: point 0 (mu_R=0'
 check 'nothing is made' not test -e bad
+check 'the list of its points is none' sweep_gives 2 bad.yaml --list
+check 'it is told in the same words' says stderr 'bad.yaml:4:8: error: point 0 (mu_R=0'
+check 'and nothing else' test ! -s stdout
+sed 's/1\/2/half/; /compare/d' sweep.yaml >bad.yaml
+check 'a value that is none, in a list of points' sweep_gives 2 bad.yaml --list
+check 'its place' says stderr 'bad.yaml:4:26: error: point 2 (mu_r=half'
+sed 's/disks: 40/diskz: 40/; /compare/d' sweep.yaml >bad.yaml
+check 'an unknown key that is set, in a list of points' sweep_gives 2 bad.yaml --list
+check 'with what was meant' says stderr '(did you mean `disks`?)'
 sed 's/\[0, 1.2\]/[]/' sweep.yaml >bad.yaml
 check 'an empty list' sweep_gives 2 bad.yaml -o bad
 sed 's/seeds.*/seeds: 1-250000/' sweep.yaml >bad.yaml

@@ -54,6 +54,13 @@ awk -F, -v OFS=, '{ print } $3 == 5 { $4 += 0.1; $3 = 6; if ($1 == 1 && $2 == "w
 awk -F, -f "$student" -f "$here/verdicts.awk" seven.csv >verdicts.csv
 check 'a seed that lacks a number or a point is left out' cmp verdicts.csv five.csv
 
+# One seed has no interval, so nothing is decided.
+awk -F, 'NR == 1 || $3 == 5' points.csv >one.csv
+awk -F, -f "$student" -f "$here/verdicts.awk" one.csv >verdicts.csv
+check 'one seed: a number alone' equals "$(verdict 'almost the same' bagi-kuhn)" '0.0520   1 undecided 2 or more'
+check 'and no verdict on any claim' equals "$(claims)" '0 0 28'
+check 'nor a number that cannot be' not grep -qE '[0-9]{7}|inf|nan' verdicts.csv
+
 # Kuhn's assemblies: rows of 0.1 % strain up to 30 %, so four blocks from 10 % on. Of the small contacts rolling is twice that of the large
 # ones, and D more in the first of the four blocks; creep changes sin phi by E.
 kuhn=$here/../kuhn/tables.awk

@@ -148,4 +148,33 @@ for case in "$cases"/*.yaml; do
     check "$(basename "$case") contradicts nothing" run_gives 0 "$case" --check
     check 'no such note' not grep "$misfit" stderr
 done
+
+# ---- gravity that points away from what is to carry the disks ----
+cat >up.yaml <<'CASE'
+kind: bodies
+time_end: 1 ms
+gravity: {y: 9.81 m/s^2}
+contact: {k_n: 1 MPa, mu: 0.5, mu_r: 0}
+disks: [{radius: 10 mm, x: 0, y: 20 mm}]
+walls: [{nx: 0, ny: 1}]
+output: {rows: 4, contacts: 0, frames: 0}
+CASE
+away='gravity (0, 9.81) m/s^2 points away from'
+check 'gravity upwards: the run is done' run_gives 0 up.yaml -o up
+check 'and it is said' says stderr "note: $away the wall: disks fly off. Down is negative: gravity: {y: -9.81}"
+check 'downwards' run_gives 0 up.yaml --check --set gravity.y=-9.81
+check 'is as it should be' silent
+check 'towards a ceiling' run_gives 0 up.yaml --check --set walls.0.ny=-1 --set disks.0.y=-0.02
+check 'is meant' silent
+check 'without a wall' run_gives 0 up.yaml --check --set walls=
+check 'is meant too' silent
+check 'sideways' run_gives 0 up.yaml --check --set gravity.x=1 --set gravity.y=0
+check 'is a floor that is level' silent
+check 'a disk that no force moves' run_gives 0 up.yaml --check --set disks.0.motion=prescribed
+check 'does not fly off' silent
+sed 's/^walls.*/walls: [{nx: 0, ny: 1}, {nx: 1, ny: 1, x: -1}]/' up.yaml >two-walls.yaml
+check 'away from two walls' run_gives 0 two-walls.yaml --check
+check 'is said of both' says stderr "$away all walls"
+check 'towards one of them' run_gives 0 two-walls.yaml --check --set gravity.x=-20
+check 'is as it should be too' silent
 finish
