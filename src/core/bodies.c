@@ -65,7 +65,9 @@ static bool fill(tr_bodies *b, const tr_scene *scene, tr_status *st) {
     for (int i = 0; i < scene->n_disks; i++) {
         const tr_scene_disk *d = &scene->disks[i];
         tr_world_set_disk(world, i, d->x, d->y, d->angle, d->radius, d->density, false);
-        if (d->inertia > 0 && d->inertia != tr_law_inertia(scene->shape))
+        if (d->ring > 0 && !tr_world_set_ring(world, i, d->radius, d->radius + d->ring, d->density, st)) return false;
+        world->n_rings += d->ring > 0;
+        if (d->inertia > 0)
             tr_world_set_inertia(world, i, d->inertia * world->disks.mass[i] * d->radius * d->radius);
         double *vel = world->disks.vel + 4 * (size_t)i, *inv = world->disks.inv + 4 * (size_t)i;
         vel[0] = d->vx, vel[1] = d->vy, vel[2] = d->spin;

@@ -22,7 +22,8 @@ static void keep_disks(tr_world *world, tr_checkpoint *c) {
     bool ok = true;
     TR_KEEP(c, d->pos, 4 * d->n);
     TR_KEEP(c, d->vel, 4 * d->n);
-    for (int i = 0; i < d->n; i++)
+    for (int i = 0; i < world->n_rings; i++) ok = ok && d->pos[4 * (size_t)i + 3] < 0;
+    for (int i = world->n_rings; i < d->n; i++)
         ok = ok && d->pos[4 * (size_t)i + 3] > 0 && d->pos[4 * (size_t)i + 3] <= world->r_max;
     tr_checkpoint_check(c, ok, "a radius");
 }

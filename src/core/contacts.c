@@ -43,11 +43,15 @@ static bool is_near_whole(const tr_world *world, const tr_extent *now) {
 
 static bool search(tr_world *world, tr_status *st) {
     const double *cell = world->cell.side[0] > 0 ? world->cell.side : NULL;
-    tr_broad_input input = {world->disks.n, world->disks.pos, world->wide_skin, cell, world->threads};
+    const int rings = world->n_rings; /* which are in no pair of the broad phase */
+    tr_broad_input input = {world->disks.n - rings, world->disks.pos + 4 * (size_t)rings, world->wide_skin, cell,
+                            world->threads};
     world->wide_extent = tr_stretch_extent(world);
     copy_centres(&world->disks, world->wide_ref);
     world->searches++;
-    return world->broad->find(world->finder, &input, &world->near, st);
+    if (!world->broad->find(world->finder, &input, &world->near, st)) return false;
+    for (int k = 0; k < world->near.n && rings; k++) world->near.a[k] += rings, world->near.b[k] += rings;
+    return true;
 }
 
 static bool fail_at(const tr_world *world, tr_status *st, const char *what, const char *which) {
@@ -55,15 +59,19 @@ static bool fail_at(const tr_world *world, tr_status *st, const char *what, cons
                           (long long)world->steps, (double)world->steps * world->dt);
 }
 
-static void name_contact(bool walls, int a, int b, char *text, size_t size) {
-    snprintf(text, size, walls ? "contact of wall %d with disk %d" : "contact of disks %d and %d", a, b);
+static void name_contact(const tr_world *world, bool walls, int a, int b, char *text, size_t size) {
+    bool ring = !walls && a < world->n_rings;
+    const char *format = walls  ? "contact of wall %d with disk %d"
+                         : ring ? "contact of ring %d with disk %d"
+                                : "contact of disks %d and %d";
+    snprintf(text, size, format, a, b);
 }
 
 /* A biaxial test, whose disks are in a box or a cell, knows better what would have held. */
 static bool fail_crushed(tr_world *world, bool walls, int a, int b, double delta, double R, tr_status *st) {
     char which[96], what[160], hint[200] = "";
     world->crush = (tr_crush){true, walls, a, b, delta};
-    name_contact(walls, a, b, which, sizeof which);
+    name_contact(world, walls, a, b, which, sizeof which);
     snprintf(what, sizeof what, "overlap %.3g m is above 0.3 of the radius %.3g m", delta, R);
     fail_at(world, st, what, which);
     if (!world->boxed && !(world->cell.side[0] > 0)) tr_crush_say(world, &world->crush, hint, sizeof hint);
@@ -78,7 +86,7 @@ static double wall_overlap(const tr_world *world, int wall, int i) {
 /* Every disk and wall is looked at: n_walls n, at refreshes only. */
 static bool check_walls(tr_world *world, tr_status *st) {
     for (int w = 0; w < world->n_walls; w++)
-        for (int i = 0; i < world->disks.n; i++) {
+        for (int i = world->n_rings; i < world->disks.n; i++) {
             double R = world->disks.pos[4 * (size_t)i + 3], delta = wall_overlap(world, w, i);
             if (delta > TR_LARGEST_OVERLAP * R) return fail_crushed(world, true, w, i, delta, R, st);
         }
@@ -89,10 +97,33 @@ static bool list_walls(tr_world *world, int group, tr_status *st) {
     tr_group *g = &world->group[group];
     tr_list_begin(g);
     for (int w = 0; w < world->n_walls; w++)
-        for (int i = 0; i < world->disks.n && world->wall_kind[w] == group - 1; i++) {
+        for (int i = world->n_rings; i < world->disks.n && world->wall_kind[w] == group - 1; i++) {
             if (wall_overlap(world, w, i) <= -world->thin_skin) continue;
             if (!tr_list_reserve(g, g->n + 1, st)) return false;
             g->a[g->n] = w, g->b[g->n++] = i;
+        }
+    return true;
+}
+
+/* Every ring and disk is looked at, as with walls. */
+static bool check_rings(tr_world *world, tr_status *st) {
+    for (int a = 0; a < world->n_rings; a++)
+        for (int i = world->n_rings; i < world->disks.n; i++) {
+            const double *p = world->disks.pos + 4 * (size_t)a, *q = world->disks.pos + 4 * (size_t)i;
+            double delta = -tr_world_gap(p, q);
+            if (delta > TR_LARGEST_OVERLAP * q[3]) return fail_crushed(world, false, a, i, delta, q[3], st);
+        }
+    return true;
+}
+
+static bool list_rings(tr_world *world, tr_group *g, tr_status *st) {
+    tr_list_begin(g);
+    for (int a = 0; a < world->n_rings; a++)
+        for (int i = world->n_rings; i < world->disks.n; i++) {
+            const double *p = world->disks.pos + 4 * (size_t)a, *q = world->disks.pos + 4 * (size_t)i;
+            if (tr_world_gap(p, q) >= world->thin_skin) continue;
+            if (!tr_list_reserve(g, g->n + 1, st)) return false;
+            g->a[g->n] = a, g->b[g->n++] = i;
         }
     return true;
 }
@@ -191,7 +222,7 @@ static bool check_step(tr_world *world, tr_status *st) {
     tr_timestep_limit limit = tr_timestep_contacts(world);
     if (world->dt <= limit.dt) return true;
     const tr_group *g = &world->group[limit.group];
-    name_contact(g->walls, g->a[limit.contact], g->b[limit.contact], which, sizeof which);
+    name_contact(world, g->walls, g->a[limit.contact], g->b[limit.contact], which, sizeof which);
     snprintf(what, sizeof what, "the step %.4g s is above the stability bound %.4g s", world->dt, limit.dt);
     return fail_at(world, st, what, which);
 }
@@ -200,7 +231,7 @@ static bool check_step(tr_world *world, tr_status *st) {
 static bool check_leap(const tr_world *world, tr_status *st) {
     for (int i = 0; i < world->disks.n; i++) {
         const double *v = world->disks.vel + 4 * (size_t)i;
-        double leap = TR_LARGEST_OVERLAP * world->disks.pos[4 * (size_t)i + 3] / world->dt;
+        double leap = TR_LARGEST_OVERLAP * fabs(world->disks.pos[4 * (size_t)i + 3]) / world->dt;
         if (v[0] * v[0] + v[1] * v[1] <= leap * leap) continue;
         char which[32], what[160];
         snprintf(which, sizeof which, "disk %d", i);
@@ -219,10 +250,10 @@ bool tr_contacts_refresh(tr_world *world, tr_status *st) {
     if (!is_near_whole(world, &now) && !search(world, st)) return false;
     pruning p;
     p.world = world, p.threads = tr_world_threads(world);
-    if (!pick_disks(&p, st) || !check_walls(world, st)) return false;
+    if (!pick_disks(&p, st) || !check_walls(world, st) || !check_rings(world, st)) return false;
     if (!list_disks(&p, st)) return false;
     for (int k = 1; k < world->n_groups; k++)
-        if (!list_walls(world, k, st)) return false;
+        if (!(world->group[k].rings ? list_rings(world, &world->group[k], st) : list_walls(world, k, st))) return false;
     for (int k = 0; k < world->n_groups; k++) tr_list_carry(world, &world->group[k]);
     tr_list_constants(world, world->disks.coordination);
     copy_centres(&world->disks, world->thin_ref);

@@ -9,7 +9,7 @@
 tr_crush_limit tr_crush_find(const tr_slot *normal, tr_shape shape, double R1, double R2, double force, double energy) {
     static const char *const keys[] = {"k_n", "E_star"};
     tr_slot trial = *normal;
-    double depth = TR_LARGEST_OVERLAP * (R1 > 0 ? fmin(R1, R2) : R2);
+    double depth = TR_LARGEST_OVERLAP * tr_world_smaller(R1, R2);
     for (int k = 0; k < 2; k++) {
         double *value = tr_law_value(trial.law, trial.par, keys[k]);
         if (!value) continue;

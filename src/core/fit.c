@@ -60,7 +60,7 @@ bool tr_fit_bodies(const tr_bodies *b, tr_fit *fit) {
     bool own = false; /* walls may have laws of their own */
     for (int k = 0; k < w->n_walls; k++) own |= w->wall_laws[k] != NULL;
     if (w->shape != TR_SHAPE_DISK || (!own && !given(&b->scene->contact, 0, 0, &c))) return false; /* pairs take their time */
-    for (int i = 0; i < w->disks.n; i++)
+    for (int i = w->n_rings; i < w->disks.n; i++)
         for (int a = -w->n_walls; a < i; a++) {
             double R1 = a < 0 ? 0 : w->disks.pos[4 * (size_t)a + 3], R2 = w->disks.pos[4 * (size_t)i + 3];
             tr_fit now;

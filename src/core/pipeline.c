@@ -32,6 +32,11 @@ static void group_add_pass(tr_group *g, const char *name, tr_pass_run *run, cons
     if (slot) pass->data = tr_group_data(g, slot);
 }
 
+static tr_pass_run *kinematics_of(const tr_group *g, const tr_arms *arms) {
+    if (g->rings) return arms->ring;
+    return g->ends ? arms->edge : g->walls ? arms->wall : arms->pair;
+}
+
 /* The list of passes a scene asked for: what it leaves out is not there. */
 static void group_choose(tr_group *g, const tr_scene_contact *contact, bool normal_only, tr_shape shape, bool images) {
     g->shape = shape;
@@ -45,8 +50,7 @@ static void group_choose(tr_group *g, const tr_scene_contact *contact, bool norm
     const tr_law *friction = g->slot[TR_FRICTION].law, *rolling = g->slot[TR_ROLLING].law;
     g->spins = friction->step || rolling->step;
 
-    const tr_arms *arms = &tr_arms_rows[contact->arms];
-    group_add_pass(g, "kinematics", g->ends ? arms->edge : g->walls ? arms->wall : arms->pair, NULL);
+    group_add_pass(g, "kinematics", kinematics_of(g, &tr_arms_rows[contact->arms]), NULL);
     group_add_pass(g, "normal", g->slot[TR_NORMAL].law->step, &g->slot[TR_NORMAL]);
     if (friction->step) group_add_pass(g, "friction", friction->step, &g->slot[TR_FRICTION]);
     tr_pass_run *velocity = tr_law_rolling_velocity(rolling, g->rolling_velocity);
@@ -72,9 +76,9 @@ static bool sort_walls(tr_world *world, const tr_scene_contact *own[TR_MAX_GROUP
     for (int w = 0; w < world->n_walls; w++) {
         int k = 1;
         while (k < n && !(ends[k] == world->wall[w].ends && is_law_of(world, w, own[k]))) k++;
-        if (k == TR_MAX_GROUPS)
+        if (k == TR_MAX_GROUPS - 1)
             return tr_status_fail(st, TR_BAD_CASE, "error: wall %d: walls have more than %d different laws", w,
-                                  TR_MAX_GROUPS - 2);
+                                  TR_MAX_GROUPS - 3);
         if (k == n) ends[n] = world->wall[w].ends, own[n++] = world->wall_laws[w];
         world->wall_kind[w] = (unsigned char)(k - 1);
     }
@@ -82,6 +86,7 @@ static bool sort_walls(tr_world *world, const tr_scene_contact *own[TR_MAX_GROUP
         tr_group_free(&world->group[k]);
         world->group[k].walls = k > 0, world->group[k].ends = ends[k];
     }
+    if (world->n_rings > 0) world->group[n].walls = false, world->group[n++].rings = true;
     world->n_groups = n;
     return true;
 }
@@ -90,12 +95,13 @@ bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool sm
                        tr_status *st) {
     double sum = 0, r_min = INFINITY;
     world->r_max = 0;
-    for (int i = 0; i < world->disks.n; i++) {
+    const int first = world->n_rings, n = world->disks.n - first;
+    for (int i = first; i < world->disks.n; i++) {
         double R = world->disks.pos[4 * (size_t)i + 3];
         sum += 2 * R, r_min = fmin(r_min, R), world->r_max = fmax(world->r_max, R);
     }
-    world->wide_skin = WIDE_SKIN * sum / world->disks.n;
-    world->thin_skin = fmin(THIN_SKIN * sum / world->disks.n, TR_LARGEST_OVERLAP * r_min);
+    world->wide_skin = WIDE_SKIN * sum / n;
+    world->thin_skin = fmin(THIN_SKIN * sum / n, TR_LARGEST_OVERLAP * r_min);
     world->rolling_velocity = contact->rolling_velocity;
     world->arms = contact->arms;
     world->stale = world->fresh = true;
@@ -117,7 +123,7 @@ bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool sm
     }
     if (world->finder) world->broad->destroy(world->finder);
     world->finder =
-        world->broad->create(&(tr_broad_input){world->disks.n, world->disks.pos, world->wide_skin, NULL, NULL}, st);
+        world->broad->create(&(tr_broad_input){n, world->disks.pos + 4 * (size_t)first, world->wide_skin, NULL, NULL}, st);
     return world->finder != NULL;
 }
 

@@ -70,7 +70,7 @@ typedef struct pair {
 } pair;
 
 static double smaller(const pair *p) {
-    return p->a < 0 ? p->R2 : fmin(p->R1, p->R2);
+    return tr_world_smaller(p->R1, p->R2);
 }
 
 static pair wall_pair(const run *r, int wall, int i) {
@@ -90,7 +90,7 @@ static pair wall_pair(const run *r, int wall, int i) {
 static pair pair_of(const run *r, int a, int i) {
     if (a < 0) return wall_pair(r, -1 - a, i);
     const double *c = r->b->world.disks.pos + 4 * (size_t)a, *q = r->b->world.disks.pos + 4 * (size_t)i;
-    pair p = {.a = a, .b = i, .R1 = c[3], .R2 = q[3], .gap = tr_hypot(q[0] - c[0], q[1] - c[1]) - c[3] - q[3]};
+    pair p = {.a = a, .b = i, .R1 = c[3], .R2 = q[3], .gap = tr_world_gap(c, q)};
     double v1[3], v2[3], one[2], two[2];
     tr_bodies_velocity(&r->b->world, a, v1);
     tr_bodies_velocity(&r->b->world, i, v2);
@@ -140,7 +140,7 @@ bool tr_resolution_overlap(const tr_bodies *b, tr_resolution *worst) {
     const tr_world *w = &b->world;
     const run r = run_of(b, false);
     int n = 0;
-    for (int i = 0; i < w->disks.n; i++)
+    for (int i = w->n_rings; i < w->disks.n; i++)
         for (int a = -w->n_walls; a < i; a++) {
             pair p = pair_of(&r, a, i);
             double weight, energy, needed = spacing(p.reach) / TR_RESOLVED;
@@ -203,7 +203,7 @@ double tr_resolution_force(const tr_bodies *b, int a, int disk) {
 bool tr_resolution_check(const tr_bodies *b, tr_status *st) {
     const tr_world *w = &b->world;
     const run start = run_of(b, true);
-    for (int i = 0; i < w->disks.n; i++)
+    for (int i = w->n_rings; i < w->disks.n; i++)
         for (int a = -w->n_walls; a < i; a++) {
             pair p = pair_of(&start, a, i);
             double most = TR_LARGEST_OVERLAP * smaller(&p);

@@ -24,12 +24,12 @@ static pair pair_of(const tr_world *w, int a, int b) {
         tr_wall_touch touch = tr_wall_nearest(wall, q);
         return (pair){a, b, 0, q[3], touch.nx, touch.ny, touch.distance - q[3]};
     }
-    const double *p = w->disks.pos + 4 * (size_t)a, dx = q[0] - p[0], dy = q[1] - p[1], L = sqrt(dx * dx + dy * dy);
-    return (pair){a, b, p[3], q[3], dx / L, dy / L, L - p[3] - q[3]};
+    const double *p = w->disks.pos + 4 * (size_t)a, dx = q[0] - p[0], dy = q[1] - p[1], L = copysign(sqrt(dx * dx + dy * dy), p[3]);
+    return (pair){a, b, p[3], q[3], dx / L, dy / L, tr_world_gap(p, q)};
 }
 
 static double smaller(const pair *p) {
-    return p->a < 0 ? p->R2 : fmin(p->R1, p->R2);
+    return tr_world_smaller(p->R1, p->R2);
 }
 
 static bool is_free(const tr_world *w, int i) {
@@ -43,7 +43,7 @@ static bool may_turn(const tr_world *w, int i) {
 
 /* Whether something below keeps disk i from falling: another disk or a wall as near as a contact. */
 static bool is_carried(const tr_world *w, int i, const double g[2]) {
-    for (int a = -w->n_walls; a < w->disks.n; a++) {
+    for (int a = -w->n_walls; a < w->disks.n && i >= w->n_rings; a++) {
         if (a == i) continue;
         pair p = pair_of(w, a, i);
         if (g[0] * p.nx + g[1] * p.ny < 0 && p.gap < WRITTEN * smaller(&p)) return true;
@@ -118,7 +118,7 @@ static bool is_tangent(const tr_bodies *b, const pair *p, double *weight) {
 bool tr_tangent_find(const tr_bodies *b, tr_tangent *found) {
     const tr_world *w = &b->world;
     int n = 0;
-    for (int i = 0; i < w->disks.n; i++)
+    for (int i = w->n_rings; i < w->disks.n; i++)
         for (int a = -w->n_walls; a < i; a++) {
             pair p = pair_of(w, a, i);
             double weight;

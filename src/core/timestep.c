@@ -40,7 +40,7 @@ static int cases_of(const tr_velocity_measure *definition, const tr_pair_bodies 
     tr_tile tile;
     tile.n = CASES, tile.R1 = R1, tile.R2 = R2, tile.g1 = g1;
     for (int k = 0; k < CASES; k++) {
-        R1[k] = b->R1, R2[k] = b->R2, g1[k] = b->R1 > 0 ? b->R1 / (b->R1 + b->R2) : 1;
+        R1[k] = b->R1, R2[k] = b->R2, g1[k] = b->R1 != 0 ? b->R1 / (b->R1 + b->R2) : 1;
         tile.s1[k] = s1[k], tile.s2[k] = s2[k], tile.w1[k] = tile.w2[k] = 0;
     }
     definition->partials(&tile, NULL);
@@ -86,6 +86,7 @@ static double overlap(const tr_world *world, const tr_group *g, int i) {
     const double *q = world->disks.pos + 4 * (size_t)g->b[i];
     if (g->walls) return q[3] - tr_wall_distance(&world->wall[g->a[i]], q);
     const double *p = world->disks.pos + 4 * (size_t)g->a[i];
+    if (g->rings) return -tr_world_gap(p, q);
     return p[3] + q[3] - tr_cell_distance(&world->cell, p, q, NULL);
 }
 
@@ -128,8 +129,9 @@ tr_timestep_limit tr_timestep_contacts(const tr_world *world) {
  * between them is 2r - q r or more, so that sin^2 of half the angle between them is ((2-q)^2 - q^2) r^2/(4 (R+r)^2) or more. */
 static double most_contacts(const tr_world *world, int i, double r_min, double q) {
     double R = world->disks.pos[4 * (size_t)i + 3];
+    if (i < world->n_rings) return world->disks.n - world->n_rings;
     double fit = floor(M_PI / tr_asin(sqrt(1 - q) * r_min / (R + r_min)) + 1e-9);
-    if (q > 0 && !world->boxed) fit += world->n_walls; /* which may be in one place */
+    if (q > 0 && !world->boxed) fit += world->n_walls + world->n_rings; /* which may be in one place */
     return fmin(fit, world->disks.n - 1 + world->n_walls);
 }
 
@@ -147,9 +149,10 @@ static share share_of(const tr_world *world, int i, const packings *p) {
 }
 
 static double pair_limit(const tr_world *world, int i, int j, const packings *p) {
-    tr_pair_bodies bodies = tr_world_pair(world, &world->group[0], i, j);
-    bodies.delta = p->overlap * fmin(bodies.R1, bodies.R2);
-    return contact_limit(&world->group[0], bodies, share_of(world, i, p), share_of(world, j, p));
+    const tr_group *g = tr_world_group(world, i);
+    tr_pair_bodies bodies = tr_world_pair(world, g, i, j);
+    bodies.delta = p->overlap * tr_world_smaller(bodies.R1, bodies.R2);
+    return contact_limit(g, bodies, share_of(world, i, p), share_of(world, j, p));
 }
 
 /* wall: the share of the wall that disk i touches, of those of one group. */
@@ -169,8 +172,8 @@ static double walls_limit(const tr_world *world, int i, share wall, const packin
 
 static double smallest_radius(const tr_world *world, int *smallest, int *largest) {
     const tr_disks *d = &world->disks;
-    *smallest = *largest = 0;
-    for (int i = 0; i < d->n; i++) {
+    *smallest = *largest = world->n_rings;
+    for (int i = world->n_rings; i < d->n; i++) {
         if (d->pos[4 * (size_t)i + 3] < d->pos[4 * (size_t)*smallest + 3]) *smallest = i;
         if (d->pos[4 * (size_t)i + 3] > d->pos[4 * (size_t)*largest + 3]) *largest = i;
     }
@@ -191,11 +194,12 @@ static share piston_share(const tr_world *world) {
 
 /* Each disk is paired with a wall, the smallest and the largest disk, and with all where they are no more than `few`. */
 static double all_limits(const tr_world *world, packings p, int few, share wall) {
-    int n = world->disks.n, smallest, largest;
+    int n = world->disks.n, rings = world->n_rings, smallest, largest;
     double bound = INFINITY;
     p.r_min = smallest_radius(world, &smallest, &largest);
-    for (int i = 0; i < n; i++) {
-        if (n > 1) {
+    for (int i = rings; i < n; i++) {
+        for (int a = 0; a < rings; a++) bound = fmin(bound, pair_limit(world, a, i, &p));
+        if (n - rings > 1) {
             bound = fmin(bound, pair_limit(world, i, smallest, &p));
             bound = fmin(bound, pair_limit(world, i, largest, &p));
         }
@@ -212,6 +216,7 @@ double tr_timestep_worst(const tr_world *world) {
 /* One density, and all free: of such the smallest and the largest stand for all partners, as in tr_timestep_worst of many. */
 static bool are_alike(const tr_world *world) {
     const tr_disks *d = &world->disks;
+    if (world->n_rings) return false;
     double first = d->mass[0] / tr_pow(d->pos[3], world->shape == TR_SHAPE_SPHERE ? 3 : 2);
     for (int i = 0; i < d->n; i++) {
         double density = d->mass[i] / tr_pow(d->pos[4 * i + 3], world->shape == TR_SHAPE_SPHERE ? 3 : 2);

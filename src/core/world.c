@@ -33,7 +33,7 @@ void tr_group_free(tr_group *g) {
 
 void tr_world_free(tr_world *world) {
     tr_disks *d = &world->disks;
-    free(d->pos), free(d->vel), free(d->force), free(d->inv), free(d->load), free(d->mass), free(d->inertia);
+    free(d->pos), free(d->vel), free(d->force), free(d->inv), free(d->load), free(d->mass), free(d->inertia), free(d->outer);
     free(d->coordination);
     free(world->wide_ref), free(world->thin_ref), free(world->ledger), free(world->tile), free(world->picked);
     tr_shares_free(world->shares), tr_threads_free(world->threads);
@@ -53,6 +53,20 @@ void tr_world_set_disk(tr_world *world, int i, double x, double y, double angle,
     inv[0] = inv[1] = prescribed ? 0 : 1 / m;
     inv[2] = prescribed ? 0 : 1 / tr_law_inertia(world->shape) / (m * radius * radius);
     world->stale = true;
+}
+
+bool tr_world_set_ring(tr_world *world, int i, double radius, double outer, double density, tr_status *st) {
+    tr_disks *d = &world->disks;
+    double *inv = d->inv + 4 * (size_t)i, a = radius, b = outer;
+    if (!d->outer && !(d->outer = tr_alloc((size_t)d->n, sizeof *d->outer, st))) return false;
+    bool shell = world->shape == TR_SHAPE_SPHERE;
+    double m = density * M_PI * (shell ? 4.0 / 3 * (b * b * b - a * a * a) : b * b - a * a);
+    double I = shell ? 0.4 * m * (pow(b, 5) - pow(a, 5)) / (pow(b, 3) - pow(a, 3)) : 0.5 * m * (a * a + b * b);
+    d->pos[4 * (size_t)i + 3] = -radius, d->outer[i] = outer;
+    d->mass[i] = m, d->inertia[i] = I;
+    for (int k = 0; k < 3; k++)
+        if (inv[k] > 0) inv[k] = 1 / (k < 2 ? m : I);
+    return true;
 }
 
 void tr_world_set_inertia(tr_world *world, int i, double inertia) {

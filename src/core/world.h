@@ -31,12 +31,13 @@
 #include "broad/broad.h"
 #include "laws/law.h"
 #include "scene/scene.h"
+#include "base/math.h"
 #include <stdint.h>
 
 enum {
     TR_MAX_PASSES = 9,
     TR_MAX_WALLS = 128,
-    TR_MAX_GROUPS = 12, /* disks; walls; walls with laws of their own, or with ends */
+    TR_MAX_GROUPS = 12, /* disks; walls; walls with laws of their own, or with ends; rings */
     TR_MAX_VELOCITY_MEASURES = 8,
     TR_GROUP_HIST = 3 * TR_MAX_HIST + 32, /* laws of three slots, and the sinks, which have 25 in all */
     TR_GROUP_PAIR = 5 + 3 * TR_MAX_PAIR /* R1, R2, g1, the image of b in a periodic cell, and the laws of three slots */
@@ -50,6 +51,7 @@ typedef struct tr_disks {
     double *load;                    /* n*4: what acts on a disk besides contacts: weight, torque; NULL: nothing does */
     double *mass;                    /* n [kg/m], by the density, whatever is given of the motion */
     double *inertia;                 /* n [kg m], likewise */
+    double *outer;                   /* of each ring its outer radius [m]; NULL: there are none */
     int *coordination;               /* n: touching contacts of each, right after tr_timestep_contacts */
 } tr_disks;
 
@@ -120,6 +122,7 @@ typedef struct tr_pass {
 /* Contacts that share a pipeline. In a group of walls, a is the number of a wall. */
 struct tr_group {
     bool walls;
+    bool rings; /* body a is a ring around b */
     bool ends; /* of walls that have ends */
     int rolling_velocity; /* index into tr_rolling_velocities */
     tr_shape shape;
@@ -168,6 +171,7 @@ typedef struct tr_world {
     tr_disks disks;
     tr_wall wall[TR_MAX_WALLS];
     int n_walls;
+    int n_rings; /* the first so many disks are rings, with radius -R; set before the laws */
     bool boxed;            /* the walls are those of a box */
     tr_periodic_cell cell; /* set before the laws */
     int rolling_velocity;  /* of two disks; index into tr_rolling_velocities */
@@ -175,7 +179,7 @@ typedef struct tr_world {
     /* Laws of a wall of its own, set before the laws; they must outlive the world. NULL: those of two disks. */
     const tr_scene_contact *wall_laws[TR_MAX_WALLS];
     unsigned char wall_kind[TR_MAX_WALLS]; /* wall w is in group[1 + wall_kind[w]] */
-    tr_group group[TR_MAX_GROUPS];         /* disk-disk; wall-disk; then what there is of other walls */
+    tr_group group[TR_MAX_GROUPS];         /* disk-disk; wall-disk; then what there is of other walls; of rings the last */
     int n_groups;
     tr_ledger *ledger;     /* NULL: not kept */
     tr_tile *tile;         /* one, reused; allocated apart because its lanes are aligned */
@@ -211,6 +215,10 @@ void tr_world_free(tr_world *world);
 void tr_world_set_disk(tr_world *world, int i, double x, double y, double angle, double radius, double density,
                        bool prescribed);
 
+/* A ring, the inside of which other bodies touch, in place of disk i. See n_rings. outer: its outer radius [m]. Of spheres
+ * it is a shell. False: memory is short. */
+bool tr_world_set_ring(tr_world *world, int i, double radius, double outer, double density, tr_status *st);
+
 /* Another moment of inertia for disk i [kg m], after tr_world_set_disk. */
 void tr_world_set_inertia(tr_world *world, int i, double inertia);
 
@@ -220,9 +228,23 @@ void tr_group_attach(tr_group *group, tr_sink *sink, const char *name, tr_pass_r
 /* Frees the arrays of a group. It then has no pipeline. */
 void tr_group_free(tr_group *group);
 
-/* The group of a contact with a < 0: wall -1-a, else of two disks. */
+/* The group of a contact of this body 1; a < 0: wall -1-a. */
 static inline const tr_group *tr_world_group(const tr_world *world, int a) {
-    return a < 0 ? &world->group[1 + world->wall_kind[-1 - a]] : &world->group[0];
+    if (a < 0) return &world->group[1 + world->wall_kind[-1 - a]];
+    return &world->group[a < world->n_rings ? world->n_groups - 1 : 0];
+}
+
+/* Gap between two bodies, p and q their x, y, angle, radius [m]; p may be a ring, and then q is inside of it. Infinite where they
+ * cannot touch: outside of a ring, and of two rings. */
+static inline double tr_world_gap(const double *p, const double *q) {
+    double apart = tr_hypot(q[0] - p[0], q[1] - p[1]);
+    if (p[3] > 0 && q[3] > 0) return apart - p[3] - q[3];
+    return q[3] > 0 && apart < -p[3] ? -p[3] - q[3] - apart : INFINITY;
+}
+
+/* The radius that overlaps are measured with: the smaller one, beside a wall (R1 = 0) or in a ring (R1 < 0) that of body 2. */
+static inline double tr_world_smaller(double R1, double R2) {
+    return R1 > 0 ? fmin(R1, R2) : R2;
 }
 
 /* Two bodies of a group, a wall and a disk in that of walls, infinitely heavy where their motion is given. Their overlap is

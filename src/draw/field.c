@@ -45,7 +45,7 @@ double tr_frame_range_bodies(const tr_world *world, const tr_record *record, int
     double max = 0;
     for (int i = 0; i < world->disks.n; i++) {
         const double *v = world->disks.vel + 4 * i;
-        max = fmax(max, fmax(hypot(v[0], v[1]), fabs(v[2]) * world->disks.pos[4 * i + 3]));
+        max = fmax(max, fmax(hypot(v[0], v[1]), fabs(v[2] * world->disks.pos[4 * i + 3])));
     }
     for (int i = 0; i < n; i++) max = fmax(max, fmax(fabs(record[i].v_s), fabs(record[i].v_r)));
     /* Bars are cut at the range: a value a hundredth above it, as from a dashpot, must not halve all bars. */

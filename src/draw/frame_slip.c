@@ -15,7 +15,7 @@ static double mean_radius(const tr_world *world) {
 
 /* Two disks of mean radius pressed with the mean force have a bar as long as their radius. */
 static double half_width(const tr_world *world, const tr_record *r, double mean, double R) {
-    double R_star = r->R1 > 0 ? r->R1 * r->R2 / (r->R1 + r->R2) : r->R2, load = r->f_n / mean * R_star / (0.5 * R);
+    double R_star = tr_law_R_star(r->R1, r->R2), load = r->f_n / mean * R_star / (0.5 * R);
     return 0.5 * R * fmin(world->shape == TR_SHAPE_SPHERE ? cbrt(load) : sqrt(load), 2.5);
 }
 

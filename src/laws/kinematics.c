@@ -16,6 +16,9 @@
  * and angular momentum would drift; with r1, r2 in velocity and torque both vanish. Eqs. 16, 23, 24 as printed are
  * right only with t = k x n, the opposite of the paper's own t (and of ours).
  *
+ * Ring (body 1, around body 2), of inner radius R: R1 = -R and L = -|X21| in all of this, so n points from the contact to the
+ * ring's centre, r1 < 0 and g1 > 1. A disk in the middle has no normal; it does not touch, n = 0.
+ *
  * Wall (body 1, a plane that does not rotate), in its frame: Vt = V21.t, s1 = Vt, s2 = -R2 w2, Vs = Vt + r2 w2, r1 = 0.
  * A limit of the arms for R1 -> infinity is not asked for: shared gives the whole overlap to the wall, r2 = R2;
  * midpoint takes all of it off the disk, r2 = R2 - delta.
@@ -64,13 +67,15 @@ static inline arms full(contact c) {
 
 #define INLINE static inline __attribute__((always_inline))
 
-INLINE void move_pair(tr_tile *restrict tile, arms_of *of) {
+/* side: 1, of a ring -1. */
+INLINE void move_pair(tr_tile *restrict tile, arms_of *of, double side) {
     const double *restrict R1 = tile->R1, *restrict R2 = tile->R2, *restrict g1 = tile->g1;
     int touching = 0;
     for (int i = 0; i < tile->n; i++) {
         double dx = tile->dx[i], dy = tile->dy[i], dvx = tile->dvx[i], dvy = tile->dvy[i];
         double w1 = tile->w1[i], w2 = tile->w2[i];
-        double L = sqrt(dx * dx + dy * dy), inv_L = 1.0 / L, nx = dx * inv_L, ny = dy * inv_L;
+        double L = side * sqrt(dx * dx + dy * dy), inv_L = side < 0 && L == 0 ? 0 : 1.0 / L, nx = dx * inv_L,
+               ny = dy * inv_L;
         double Vt = dvx * ny - dvy * nx, betadot = -Vt * inv_L;
         double delta = R1[i] + R2[i] - L;
         arms r = of((contact){R1[i], R2[i], g1[i], L, delta});
@@ -134,7 +139,10 @@ INLINE void set_arms(tr_tile *restrict tile, arms_of *of, wall_arm *of_wall) {
 }
 
 TR_VECTOR void tr_kinematics_pair(tr_tile *restrict tile, const tr_law_data *data) {
-    (void)data, move_pair(tile, shared);
+    (void)data, move_pair(tile, shared, 1);
+}
+TR_VECTOR static void ring(tr_tile *restrict tile, const tr_law_data *data) {
+    (void)data, move_pair(tile, shared, -1);
 }
 TR_VECTOR void tr_kinematics_wall(tr_tile *restrict tile, const tr_law_data *data) {
     (void)data, move_wall(tile, shared_wall);
@@ -143,7 +151,10 @@ TR_VECTOR static void edge(tr_tile *restrict tile, const tr_law_data *data) {
     (void)data, move_edge(tile, shared_wall);
 }
 TR_VECTOR static void midpoint_pair(tr_tile *restrict tile, const tr_law_data *data) {
-    (void)data, move_pair(tile, midpoint);
+    (void)data, move_pair(tile, midpoint, 1);
+}
+TR_VECTOR static void midpoint_ring(tr_tile *restrict tile, const tr_law_data *data) {
+    (void)data, move_pair(tile, midpoint, -1);
 }
 TR_VECTOR static void midpoint_at_wall(tr_tile *restrict tile, const tr_law_data *data) {
     (void)data, move_wall(tile, midpoint_wall);
@@ -167,17 +178,17 @@ enum { ALL = TR_ARMS_OBJECTIVE | TR_ARMS_BALANCED | TR_ARMS_CONJUGATE };
 
 #define IN_SCENES(X)                                                                                                   \
     X("shared", "wang", ALL, "[Wang2015 eq. 12] mended", "R_i |X21|/(R1+R2), at a wall R2", shared_arms,               \
-      tr_kinematics_pair, tr_kinematics_wall, edge)                                                                    \
+      tr_kinematics_pair, ring, tr_kinematics_wall, edge)                                                              \
     X("midpoint", "midpoint", ALL, "[Luding2008]; LIGGGHTS 3.8.0", "R_i - overlap/2, at a wall R2 - overlap",          \
-      midpoint_arms, midpoint_pair, midpoint_at_wall, midpoint_at_edge)
+      midpoint_arms, midpoint_pair, midpoint_ring, midpoint_at_wall, midpoint_at_edge)
 #define ONLY_MEASURED(X)                                                                                               \
-    X("full", "full-radius", TR_ARMS_CONJUGATE, "[Wang2015 eq. 12]", "R_i", full_arms, NULL, NULL, NULL)               \
+    X("full", "full-radius", TR_ARMS_CONJUGATE, "[Wang2015 eq. 12]", "R_i", full_arms, NULL, NULL, NULL, NULL)         \
     X("full-midpoint", "full-radius", TR_ARMS_BALANCED, "LAMMPS 29Sep2021", "velocity R_i, torque R_i - overlap/2",    \
-      midpoint_arms, NULL, NULL, NULL)                                                                                 \
+      midpoint_arms, NULL, NULL, NULL, NULL)                                                                           \
     X("stretched-midpoint", "alonso", TR_ARMS_OBJECTIVE | TR_ARMS_BALANCED, "YADE 2023.02a",                           \
-      "velocity s1-s2, torque R_i - overlap/2", midpoint_arms, NULL, NULL, NULL)
-#define ROW(name, sliding, claims, source, formula, arms, pair, wall, edge)                                            \
-    {name, sliding, source, formula, claims, arms, pair, wall, edge},
+      "velocity s1-s2, torque R_i - overlap/2", midpoint_arms, NULL, NULL, NULL, NULL)
+#define ROW(name, sliding, claims, source, formula, arms, pair, ring, wall, edge)                                      \
+    {name, sliding, source, formula, claims, arms, pair, ring, wall, edge},
 #define ONE(...) +1
 #define CHOICE(name, ...) "|" name
 

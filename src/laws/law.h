@@ -39,7 +39,8 @@ typedef struct tr_tile {
     int touching; /* of them with overlap > 0; counted by kinematics */
     /* gather: x2 - x1 [m], v2 - v1 [m/s], spins of 1 and 2 [rad/s] */
     tr_lane dx, dy, dvx, dvy, w1, w2;
-    /* pair constants: radii [m] (R1 = 0 at a wall, which has no arm); g1 = R1/(R1+R2), 1 at a wall */
+    /* pair constants: radii [m] (R1 = 0 at a wall, which has no arm; R1 < 0 of a ring around body 2);
+     * g1 = R1/(R1+R2), 1 at a wall, 0 at a corner of one */
     const double *R1, *R2, *g1;
     /* kinematics */
     tr_lane nx, ny; /* unit normal from 1 to 2 */
@@ -81,7 +82,7 @@ typedef struct tr_law_data {
 
 typedef void tr_pass_run(tr_tile *tile, const tr_law_data *data);
 
-/* Two bodies that may touch: radii [m] (R1 = 0 at a wall), masses [kg/m] and moments of inertia [kg m]. A mass is infinite
+/* Two bodies that may touch: radii [m] (R1 = 0 at a wall, < 0 of a ring), masses [kg/m] and moments of inertia [kg m]. A mass is infinite
  * where the motion of the centre is given, an inertia where the spin is; a wall has both. on_path: the driver of kind:
  * contact gives both spins, whatever the inertias. z: contacts that 1 and 2 may have, 0 counts as 1; for tr_law.pair
  * alone. For tr_law.stiffness of friction and rolling laws also the greatest overlap to expect [m], with the normal force
@@ -100,9 +101,9 @@ static inline double tr_law_inertia(tr_shape shape) {
     return shape == TR_SHAPE_SPHERE ? 0.4 : 0.5;
 }
 
-/* 1/(1/R1 + 1/R2) [m]; of a wall the other's. */
+/* 1/(1/R1 + 1/R2) [m]; of a wall the other's. A ring of inner radius R is a body of radius -R. */
 static inline double tr_law_R_star(double R1, double R2) {
-    return R1 > 0 ? R1 * R2 / (R1 + R2) : R2;
+    return R1 != 0 ? R1 * R2 / (R1 + R2) : R2;
 }
 /* The same of two masses, or of two inertias, for a dashpot. One is infinite: the other. Both are, or there is none (0): no
  * motion follows from forces, and 0 leaves the dashpot out. */
@@ -119,7 +120,7 @@ static inline double tr_law_width(tr_shape shape, double P, double R_star, doubl
     return shape == TR_SHAPE_SPHERE ? tr_cbrt(0.75 * P * R_star / E_star) : sqrt(4 / M_PI * P * R_star / E_star);
 }
 /* The depth d of the approach of a line contact [m]; 0 stands for that of disks pressed between plates, 2 sqrt(R1 R2)/e,
- * 2 R2/e at a wall. */
+ * 2 R2/e at a wall or in a ring. */
 static inline double tr_law_depth(double given, double R1, double R2) {
     return given > 0 ? given : 2 / M_E * (R1 > 0 ? sqrt(R1 * R2) : R2);
 }
@@ -190,7 +191,7 @@ struct tr_law {
     void (*creep)(const tr_tile *tile, const tr_law_data *data, double *u);
     tr_stiffness (*stiffness)(const void *par, const tr_pair_bodies *bodies);
     /* Normal laws: the elastic force at an overlap >= 0, and the overlap [m] at an elastic force >= 0, of bodies with
-     * these radii (R1 = 0: a wall). */
+     * these radii (R1 = 0: a wall, R1 < 0: a ring). */
     tr_elastic (*elastic)(const void *par, double R1, double R2, double delta);
     double (*overlap)(const void *par, double R1, double R2, double force);
 };

@@ -101,13 +101,13 @@ TR_VECTOR static void state(const tr_tile *restrict tile, const tr_law_data *res
 /* As share and rest, so that wang has the bits of wang-spring. */
 static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *b) {
     const par *p = par_;
-    const double R1 = b->R1, R2 = b->R2, g1 = R1 > 0 ? R1 / (R1 + R2) : 1, share = b->p1 + b->p2,
+    const double R1 = b->R1, R2 = b->R2, g1 = R1 != 0 ? R1 / (R1 + R2) : 1, share = b->p1 + b->p2,
                  e = g1 * share - b->p2;
     const double R_eff = tr_law_R_star(R1, R2);
     return (tr_stiffness){.k = p->mu_r > 0 ? p->k_r : 0,
                           .lever1 = share * R_eff + e * R1,
                           .lever2 = share * R_eff - e * R2,
-                          .along = R1 > 0 ? e * (R1 + R2) / (R1 + R2 - b->delta) : e};
+                          .along = R1 != 0 ? e * (R1 + R2) / (R1 + R2 - b->delta) : e};
 }
 
 const tr_law tr_rolling_conjugate_spring = {

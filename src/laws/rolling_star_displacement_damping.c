@@ -89,7 +89,7 @@ static void state(const tr_tile *tile, const tr_law_data *data, double *energy, 
 
 static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *bodies) {
     const par *p = par_;
-    double R_eff = bodies->R1 > 0 ? bodies->R1 * bodies->R2 / (bodies->R1 + bodies->R2) : bodies->R2;
+    double R_eff = tr_law_R_star(bodies->R1, bodies->R2);
     double k = p->mu_r * (p->R_eq ? 1 : 2) * R_eff * bodies->f_n / p->theta_max;
     double c = p->damping ? 2 * p->damping_factor * sqrt(inertia(bodies) * k) : 0;
     return (tr_stiffness){.k = k, .c = c, .lever1 = 1, .lever2 = 1};

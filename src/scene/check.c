@@ -197,8 +197,46 @@ static bool check_output(const checker *c, const tr_scope *s) {
     return check_picks(c, s, "paths", &scene->output.paths);
 }
 
+/* A ring holds what is inside of it: smaller, and no deeper in the ring than a contact may be (0.3 of its radius). What is
+ * outside is clear of it. */
+static bool check_ring(const checker *c, const tr_scope *ring, int i) {
+    const tr_scene_disk *r = &c->scene->disks[ring->item], *d = &c->scene->disks[i];
+    const tr_scope *s = tr_check_scope(c->r, "disks", i);
+    double apart = tr_hypot(d->x - r->x, d->y - r->y), out = apart + d->radius - r->radius;
+    if (apart >= r->radius && apart - d->radius < r->radius + r->ring)
+        return tr_text_fail(c->r->st, mark_in(s, "x"),
+                            "`disks.%d` lies across the ring `disks.%d`: its centre is %.6g m from that of the ring, whose "
+                            "inside ends at %.6g m; put it inside, or clear of the ring",
+                            i, ring->item, apart, r->radius);
+    if (apart >= r->radius) return true;
+    if (d->radius >= r->radius)
+        return tr_text_fail(c->r->st, mark_in(s, "radius"),
+                            "`disks.%d` is as large as the ring `disks.%d` or larger, %.6g m against %.6g m inside; a "
+                            "disk in a ring is smaller",
+                            i, ring->item, d->radius, r->radius);
+    return out <= 0.3 * d->radius ||
+           tr_text_fail(c->r->st, mark_in(s, "x"),
+                        "`disks.%d` overlaps the ring `disks.%d` by %.6g m, more than 0.3 of its radius, %.6g m; move it "
+                        "towards (%.6g, %.6g)",
+                        i, ring->item, out, d->radius, r->x, r->y);
+}
+
+static bool check_rings(const checker *c, const tr_scope *s) {
+    const tr_scene *scene = c->scene;
+    if (scene->disks[s->item].ring == 0) return true;
+    if (s->item > 0 && scene->disks[s->item - 1].ring == 0)
+        return tr_text_fail(c->r->st, mark_in(s, "ring"),
+                            "rings come first in the list: put `disks.%d` in front of the disks", s->item);
+    if (scene->disks[scene->n_disks - 1].ring > 0)
+        return tr_text_fail(c->r->st, mark_in(s, "ring"), "there are only rings: a ring takes a disk inside");
+    for (int i = s->item + 1; i < scene->n_disks; i++)
+        if (scene->disks[i].ring == 0 && !check_ring(c, s, i)) return false;
+    return true;
+}
+
 static bool check_disk(const checker *c, const tr_scope *s) {
     const tr_scene_disk *d = &c->scene->disks[s->item];
+    if (!check_rings(c, s)) return false;
     if (d->torque == 0 || d->motion == TR_FREE || d->motion == TR_PINNED) return true;
     return tr_text_fail(c->r->st, mark_in(s, "torque"),
                         "a torque does nothing to `disks.%d`, whose motion keeps its spin: take free or pinned",

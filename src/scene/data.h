@@ -129,7 +129,8 @@ typedef struct tr_scene_disk {
     double torque;                       /* applied, counter-clockwise [N] */
     int motion;                          /* tr_motion_kind */
     double orbit, orbit_x, orbit_y;      /* of TR_ORBIT [rad/s m m] */
-    double inertia;                      /* over m radius^2 [1]; 0: of a whole disk or sphere */
+    double inertia;                      /* over m radius^2 [1]; 0: of its shape */
+    double ring;                         /* thickness of a ring, of which radius is the inside [m]; 0: a disk */
     tr_scene_pull pull;
 } tr_scene_disk;
 

@@ -228,7 +228,7 @@ static bool read_inner(reader *c, const tr_section *t, int i, const tr_node *nod
     char what[80];
     snprintf(what, sizeof what, "`%s.%d.%s`", t->inside, i, t->key);
     if (!node) return true;
-    if (!check_type(c, node, TR_NODE_MAPPING, what)) return false;
+    if (!check_type(c, node, TR_NODE_MAPPING, what, t->example ? t->example : "")) return false;
     tr_node *whole = tr_tree_merged(node, t->like ? tr_tree_find(c->root, t->like) : NULL, c->st);
     if (!whole) return false;
     whole->next = c->made, c->made = whole;

@@ -26,14 +26,14 @@ double tr_converge_total(const tr_converge *c, int q, int *unknown) {
         const tr_ladder *of = &c->ladder[i].of[q];
         *unknown += isnan(of->half);
         if (of->verdict == TR_VERDICT_NOISE)
-            noise = hypot(noise, of->half);
+            noise = tr_hypot(noise, of->half);
         else if (!isnan(of->half))
             sum += of->half;
     }
     if (!tr_converge_sampled(c)) return sum;
     double half = c->sample[q].one_half;
     *unknown += isnan(half);
-    return sum + (isnan(half) ? noise : hypot(noise, half));
+    return sum + (isnan(half) ? noise : tr_hypot(noise, half));
 }
 
 static double share(const tr_converge *c, int q) {

@@ -102,7 +102,7 @@ static difference difference_of(const double *a, const double *b, int seeds, boo
     }
     tr_mean p = tr_mean_of(a, seeds), q = tr_mean_of(b, seeds);
     int n = p.n < q.n ? p.n : q.n;
-    double error = hypot(p.error, q.error);
+    double error = tr_hypot(p.error, q.error);
     return (difference){n, q.mean - p.mean, n > 1 ? tr_student_95(n - 1) * error : NAN};
 }
 

@@ -5,6 +5,7 @@
 #include "scene/text.h"
 #include "study/converge_cell.h"
 #include "study/run.h"
+#include "base/math.h"
 #include <fnmatch.h>
 #include <math.h>
 #include <stdio.h>
@@ -126,9 +127,9 @@ static double scale_of_cell(const tr_scene *s, const char *column) {
     for (int i = 0; i < s->n_disks; i++) {
         const tr_scene_disk *d = &s->disks[i];
         R = fmin(R, d->radius);
-        speed = fmax(speed, hypot(d->vx, d->vy) + fabs(d->spin) * d->radius);
+        speed = fmax(speed, tr_hypot(d->vx, d->vy) + fabs(d->spin) * d->radius);
     }
-    speed = fmax(speed, hypot(s->gravity.x, s->gravity.y) * s->time_end);
+    speed = fmax(speed, tr_hypot(s->gravity.x, s->gravity.y) * s->time_end);
     if (!strncmp(column, "v", 1)) return speed;
     if (!strncmp(column, "spin", 4)) return speed / R;
     return !strncmp(column, "angle", 5) ? 1 : R;

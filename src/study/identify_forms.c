@@ -6,6 +6,7 @@
 #include "base/alloc.h"
 #include "laws/kinematics.h"
 #include "laws/law.h"
+#include "base/math.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -192,7 +193,7 @@ bool tr_states_make(tr_states *s, const tr_motion *motion, int n, tr_status *st)
     bool ok = other && s->motion && s->length;
     for (int i = 0; ok && i < n; i++) {
         s->motion[i] = motion[i];
-        s->length[i] = hypot(motion[i].x2x - motion[i].x1x, motion[i].x2y - motion[i].x1y);
+        s->length[i] = tr_hypot(motion[i].x2x - motion[i].x1x, motion[i].x2y - motion[i].x1y);
     }
     for (int k = 0; ok && k < TR_N_RADII; k++) {
         for (int i = 0; i < n; i++) other[i] = with_radii(motion[i], k);

@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "study/csv.h"
+#include "base/math.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -110,7 +111,7 @@ static bool row(void *context, tr_csv *csv) {
     tr_identify_table *t = r->table;
     const tr_motion *m = &r->row.motion;
     r->row.line = csv->row_line;
-    r->row.length = hypot(m->x2x - m->x1x, m->x2y - m->x1y);
+    r->row.length = tr_hypot(m->x2x - m->x1x, m->x2y - m->x1y);
     if (!in_range(m->R2) || (!isinf(m->R1) && !in_range(m->R1)) || r->row.length > LARGE)
         return tr_csv_fail(csv, csv->row_line,
                            "radii are %.3g m and %.3g m, the centres %.3g m apart: only %g m to %g m", m->R1, m->R2,
