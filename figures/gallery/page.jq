@@ -8,6 +8,9 @@ def groups: [
         "radii-ten", "floor", "gear-train"]},
     {title: "Dynamics", kinds: ["bodies"], cases: ["slip-to-roll", "incline-free", "incline-wang", "incline-bagi-kuhn",
         "incline-star-force", "incline-star-torque", "incline-star-damping", "coasting", "rollers", "locomotive"]},
+    {title: "Floors and machines", kinds: [], cases: ["ice-and-carpet", "conveyor", "ramp-jump", "race", "back-spin", "struck-row",
+        "rack-and-pinion", "braked-wheel", "spool"]},
+    {title: "Rings", kinds: [], cases: ["bowl", "drum", "planets"]},
     {title: "Inside a contact", kinds: ["contact", "patch"], cases: ["contact-reversal", "patch-cattaneo-to-carter"]}
 ];
 

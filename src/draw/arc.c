@@ -6,7 +6,7 @@
 
 void tr_arc_angles(const tr_record *r, tr_arc *a, tr_arc *b) {
     double n = atan2(r->ny, r->nx);
-    *a = (tr_arc){n, r->R1 > 0 ? r->da / r->R1 : 0};
+    *a = (tr_arc){r->R1 < 0 ? n + M_PI : n, r->R1 != 0 ? r->da / r->R1 : 0}; /* of a ring n points to its centre */
     *b = (tr_arc){n + M_PI, r->R2 > 0 ? r->db / r->R2 : 0};
 }
 

@@ -65,7 +65,8 @@ typedef struct tr_show_check {
 typedef struct tr_show_lane {
     const char *label; /* NULL: none */
     const tr_world *world;
-    const tr_record *record; /* touching contacts */
+    const tr_scene_disk *disk; /* what the case says of the disks of world, for threads; NULL: nothing */
+    const tr_record *record;   /* touching contacts */
     int n_records;
     double tilt;  /* the picture is turned by it, counter-clockwise, so that gravity points down [rad] */
     double slope; /* shown as the angle of the floor; NaN: there is none, or it is level [rad] */

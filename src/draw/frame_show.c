@@ -29,7 +29,8 @@ enum {
     INSET_W = 240,
     INSET_H = 186,
     CHART_H = 178,
-    BELOW_FLOOR = TR_MARKS_DEPTH + 32
+    BELOW_FLOOR = TR_MARKS_DEPTH + 32,
+    BELOW_NAMES = 40
 };
 
 /* Where the lanes go. */
@@ -80,10 +81,12 @@ static tr_cell cell_of(const tr_grid *grid, const tr_show *show, int i) {
     return lay_cell(grid_box(grid, i), grid->lines, inset);
 }
 
-/* A floor has its hatching and its arcs below it. */
+/* A floor has its hatching and its arcs below it, and walls of different laws their names. */
 static tr_box room_of(const tr_cell *cell, const tr_show_lane *lane) {
     tr_box room = cell->stage;
     if (lane->world->n_walls > 0) room.h -= BELOW_FLOOR;
+    for (int i = 0; i < lane->world->n_walls; i++)
+        if (lane->world->wall_laws[i]) return room.h -= BELOW_NAMES, room;
     return room;
 }
 

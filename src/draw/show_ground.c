@@ -29,6 +29,9 @@ static bool stretch_of(const tr_stage *s, const tr_wall *wall, tr_stretch *w) {
         double half = 0.5 * wall->length * s->map.scale;
         w->from = fmax(w->from, -half), w->to = fmin(w->to, half);
     }
+    if (wall->ends) {
+        w->from = fmax(w->from, wall->from * s->map.scale), w->to = fmin(w->to, wall->to * s->map.scale);
+    }
     tr_point p = {w->origin.x + w->from * w->along.x, w->origin.y + w->from * w->along.y};
     return w->from < w->to && fabs(hypot(n.x, n.y) - 1) < 1e-6 && fabs(w->from) < 1e9 && tr_frame_seen(p, 1);
 }
@@ -42,8 +45,10 @@ static void draw_wall(const tr_stage *s, const tr_wall *wall) {
     tr_stretch w;
     if (!stretch_of(s, wall, &w)) return;
     tr_pen_hue(s->cr, TR_RIM);
-    for (double k = ceil(w.from / step); k * step < w.to; k++) { /* hatch on the far side */
-        tr_point p = on_wall(&w, k * step);
+    double time = (double)s->lane->world->steps * s->lane->world->dt;
+    double moved = fmod(wall->belt * time * s->map.scale, step); /* the hatch of a belt goes along with it */
+    for (double k = ceil((w.from - moved) / step); k * step + moved < w.to; k++) { /* on the far side */
+        tr_point p = on_wall(&w, k * step + moved);
         cairo_move_to(s->cr, p.x, p.y);
         cairo_line_to(s->cr, p.x - depth * (w.normal.x + w.along.x), p.y - depth * (w.normal.y + w.along.y));
     }
@@ -53,8 +58,34 @@ static void draw_wall(const tr_stage *s, const tr_wall *wall) {
     tr_pen_line(s->cr, on_wall(&w, w.from), on_wall(&w, w.to), 4);
 }
 
+/* Where walls have laws of their own, the friction of each, below the middle of what is seen of it and the names of arcs. */
+static void name_wall(const tr_stage *s, int i) {
+    const tr_slot *friction = &tr_world_group(s->lane->world, -1 - i)->slot[TR_FRICTION];
+    const double *mu = friction->law->step ? tr_law_value(friction->law, friction->par, "mu") : NULL;
+    tr_stretch w;
+    char text[32];
+    if (!stretch_of(s, &s->lane->world->wall[i], &w)) return;
+    double left = s->box.x, right = s->box.x + s->box.w, from = w.from, to = w.to;
+    if (fabs(w.along.x) > 0.1) { /* the part between the sides of the stage */
+        double a = (left - w.origin.x) / w.along.x, b = (right - w.origin.x) / w.along.x;
+        from = fmax(from, fmin(a, b)), to = fmin(to, fmax(a, b));
+    }
+    tr_point p = on_wall(&w, 0.5 * (from + to));
+    snprintf(text, sizeof text, "μ = %.3g", mu ? *mu : 0);
+    tr_text at = {.x = p.x - 62 * w.normal.x,
+                  .y = p.y - 62 * w.normal.y + 8,
+                  .size = 22,
+                  .bold = true,
+                  .halo = true,
+                  .align = TR_CENTRE};
+    if (to - from > tr_pen_width(s->cr, at, text)) tr_pen_text(s->cr, at, text);
+}
+
 void tr_ground_walls(const tr_stage *s) {
-    for (int i = 0; i < s->lane->world->n_walls; i++) draw_wall(s, &s->lane->world->wall[i]);
+    const tr_world *world = s->lane->world;
+    bool own = false;
+    for (int i = 0; i < world->n_walls; i++) draw_wall(s, &world->wall[i]), own |= world->wall_laws[i] != NULL;
+    for (int i = 0; i < world->n_walls && own; i++) name_wall(s, i);
 }
 
 void tr_ground_trace(const tr_stage *s) {

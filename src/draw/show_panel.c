@@ -52,6 +52,8 @@ static void draw_heading(tr_rows *rows) {
         const char *disk = rows->shown == 1 ? TR_SAY(rows->cr, disk) : "";
         if (r->a < 0 && rows->lane->world->n_walls == 1)
             snprintf(name, sizeof name, "%s – %s%s%d", wall, disk, gap, r->b);
+        else if (r->R1 < 0)
+            snprintf(name, sizeof name, "%s %d – %s%s%d", TR_SAY(rows->cr, ring), r->a, disk, gap, r->b);
         else if (r->a < 0)
             snprintf(name, sizeof name, "%s %d – %s%s%d", wall, -1 - r->a, disk, gap, r->b);
         else

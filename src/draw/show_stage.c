@@ -21,7 +21,7 @@ static const double badge = 17; /* radius of the disk's number */
 static bool place(const tr_stage *s, int disk, tr_point *p, double *radius) {
     const double *x = s->lane->world->disks.pos + 4 * disk;
     *p = tr_stage_point(s, x[0], x[1]);
-    *radius = x[3] * s->map.scale;
+    *radius = fabs(x[3]) * s->map.scale;
     return tr_frame_seen(*p, *radius) && isfinite(x[2]);
 }
 
@@ -48,6 +48,64 @@ static void draw_disk(const tr_stage *s, int i) {
     tr_pen_dot(s->cr, p, r - between(1, 0.1 * r, 3));
 }
 
+static void label_arc(cairo_t *cr, tr_point at, const char *label, unsigned hue) {
+    tr_pen_text(
+        cr, (tr_text){.x = at.x, .y = at.y + 9, .size = 26, .bold = true, .halo = true, .align = TR_CENTRE, .hue = hue},
+        label);
+}
+
+static bool is_ring(const tr_stage *s, int i) {
+    return i < s->lane->world->n_rings;
+}
+
+/* Of a ring, from its inside out [px]. */
+static double band(const tr_stage *s, int i) {
+    const tr_disks *d = &s->lane->world->disks;
+    return fmax((d->outer[i] + d->pos[4 * i + 3]) * s->map.scale, 2);
+}
+
+static void draw_ring(const tr_stage *s, int i) {
+    tr_point p;
+    double r;
+    if (!place(s, i, &p, &r)) return;
+    const double width = band(s, i), rim = between(1, 0.1 * width, 3);
+    tr_pen_hue(s->cr, TR_WALL);
+    tr_pen_arc(s->cr, p, r + 0.5 * width, 0, 2 * M_PI, width, false);
+    if (width < 3 * rim) return;
+    tr_pen_hue(s->cr, TR_DISK);
+    tr_pen_arc(s->cr, p, r + 0.5 * width, 0, 2 * M_PI, width - 2 * rim, false);
+}
+
+/* What turns with a ring: ticks across the band. */
+static void draw_ring_ticks(const tr_stage *s, int i) {
+    tr_point p;
+    double r, zero = s->lane->world->disks.pos[4 * i + 2] + s->tilt;
+    if (!place(s, i, &p, &r)) return;
+    tr_pen_hue(s->cr, TR_INK);
+    for (int k = 0; k < 24; k++) {
+        double angle = zero + k * M_PI / 12, length = (k ? 0.5 : 1) * band(s, i);
+        tr_pen_line(s->cr, around(p, r, angle), around(p, r + length, angle), k ? 2 : 5);
+    }
+}
+
+/* The hub and the thread that pulls, as long as the disk is wide. */
+static void draw_pull(const tr_stage *s, int i) {
+    tr_point p;
+    double r;
+    if (!s->lane->disk || !place(s, i, &p, &r)) return;
+    const tr_scene_pull *pull = &s->lane->disk[i].pull;
+    if (!pull->given || pull->force == 0) return;
+    double hub = fabs(pull->radius) * s->map.scale, turned = pull->angle + s->tilt;
+    double way = turned + (pull->force < 0 ? M_PI : 0);
+    tr_point from = around(p, pull->radius * s->map.scale, turned - M_PI / 2), to = around(from, 2.2 * r, way);
+    tr_pen_hue(s->cr, TR_INK);
+    if (hub > 2) tr_pen_arc(s->cr, p, hub, 0, 2 * M_PI, 2, false);
+    tr_pen_line(s->cr, from, around(from, 1.9 * r, way), between(2, 0.04 * r, 4));
+    tr_pen_arrow(s->cr, around(from, 1.6 * r, way), to, between(4, 0.08 * r, 8));
+    double above = cos(way) < 0 ? -1 : 1;
+    label_arc(s->cr, around(around(from, 2 * r, way), 22, way + above * M_PI / 2), "F", TR_INK);
+}
+
 /* One long tick shows the spin; the short ones the way along the rim. */
 static void draw_ticks(const tr_stage *s, int i) {
     tr_point p;
@@ -67,12 +125,6 @@ static void draw_ticks(const tr_stage *s, int i) {
     }
 }
 
-static void label_arc(cairo_t *cr, tr_point at, const char *label, unsigned hue) {
-    tr_pen_text(
-        cr, (tr_text){.x = at.x, .y = at.y + 9, .size = 26, .bold = true, .halo = true, .align = TR_CENTRE, .hue = hue},
-        label);
-}
-
 static double spin_radius(double r) {
     return fmax(0.36 * r, r > 30 ? badge + 7 : 0);
 }
@@ -82,12 +134,14 @@ static void draw_arc(const tr_stage *s, int disk, tr_arc arc, int depth, const c
     tr_point p;
     double r;
     if (!place(s, disk, &p, &r) || !isfinite(arc.sweep) || !isfinite(arc.from)) return;
-    double width = arc_width(r), radius = r - tr_marks_width(r) - 2 - width * (0.5 + 1.4 * depth),
-           rest = fmod(arc.sweep, 2 * M_PI);
-    double from = arc.from + s->tilt, inner = radius - 28;
+    const bool ring = is_ring(s, disk); /* the arcs of a ring lie outside of its rim */
+    double width = arc_width(ring ? 80 : r), in = ring ? -1 : 1, rim = ring ? 3 : tr_marks_width(r) + 2;
+    double radius = r - in * (rim + width * (0.5 + 1.4 * depth)), rest = fmod(arc.sweep, 2 * M_PI);
+    double from = arc.from + s->tilt, inner = radius - in * 28;
     if (radius < 2.5 * width) return;
     if (label) {
-        if (inner > spin_radius(r) + 20 && depth == 0 && fabs(rest) * radius > 3) /* of more arcs the line tells */
+        if ((ring || inner > spin_radius(r) + 20) && depth == 0 &&
+            fabs(rest) * radius > 3) /* of more arcs the line tells */
             label_arc(s->cr, around(p, inner, from + rest / 2), label, hue);
         return;
     }
@@ -107,6 +161,8 @@ static void draw_arc(const tr_stage *s, int disk, tr_arc arc, int depth, const c
 
 static void draw_wall_arc(const tr_stage *s, const tr_record *r, const char *label) {
     double x, y, under = TR_MARKS_DEPTH, width = arc_width(r->R2 * s->map.scale);
+    const tr_wall *wall = &s->lane->world->wall[-1 - r->a];
+    if (wall->ends && fabs(fabs(wall->nx * r->nx + wall->ny * r->ny) - 1) > 1e-9) return; /* at a corner */
     tr_arc_wall(r, &x, &y);
     tr_point p = tr_stage_point(s, r->x, r->y), q = tr_stage_point(s, x, y), n = tr_stage_turned(s, r->nx, r->ny);
     if (!tr_frame_seen(p, 1) || !tr_frame_seen(q, 1) || !(hypot(q.x - p.x, q.y - p.y) > 3)) return;
@@ -145,7 +201,7 @@ static void draw_contacts(const tr_stage *s) {
     for (int i = 0; i < s->lane->n_records; i++) {
         const tr_record *r = &s->lane->record[i];
         tr_point p = tr_stage_point(s, r->x, r->y);
-        double smaller = r->a >= 0 ? fmin(r->R1, r->R2) : r->R2, dot = between(3, 0.2 * smaller * s->map.scale, 8);
+        double smaller = tr_world_smaller(r->R1, r->R2), dot = between(3, 0.2 * smaller * s->map.scale, 8);
         if (!tr_frame_seen(p, 1)) continue;
         tr_lamp_dot(s->cr, p, dot, tr_lamp_of(s->lane->world, r, s->range));
     }
@@ -162,10 +218,11 @@ static void draw_motion(const tr_stage *s, int i) {
     double r;
     if (!place(s, i, &p, &r)) return;
     const double *v = s->lane->world->disks.vel + 4 * i, *x = s->lane->world->disks.pos + 4 * i;
-    bool number = r > 30;
+    const bool ring = is_ring(s, i), number = ring || r > 30;
+    double turns = limited(v[2] * fabs(x[3]) / s->range) * (ring ? 0.25 : 1) * 5 * M_PI / 3;
     tr_pen_hue(s->cr, TR_PURPLE);
-    tr_pen_arc(s->cr, p, spin_radius(r), M_PI / 2, limited(v[2] * x[3] / s->range) * 5 * M_PI / 3,
-               between(2, 0.06 * r, 4), true);
+    tr_pen_arc(s->cr, p, ring ? r + band(s, i) + 10 : spin_radius(r), M_PI / 2, turns, between(2, 0.06 * r, 4), true);
+    if (ring) p = around(p, r + 0.5 * band(s, i), M_PI / 2); /* its middle is that of others */
     double longest = fmax(0.25 * fmin(s->box.w, s->box.h), 60);
     double speed = hypot(v[0], v[1]), length = longest * limited(speed / s->range);
     double from = number ? badge : 0;
@@ -193,14 +250,15 @@ void tr_stage_draw(const tr_stage *s) {
     cairo_rectangle(s->cr, s->box.x, s->box.y, s->box.w, s->box.h);
     cairo_clip(s->cr);
     tr_ground_walls(s);
-    for (int i = 0; i < n; i++) draw_disk(s, i);
+    for (int i = 0; i < n; i++) is_ring(s, i) ? draw_ring(s, i) : draw_disk(s, i);
     tr_ground_trace(s);
-    for (int i = 0; i < n; i++) draw_ticks(s, i);
+    for (int i = 0; i < n; i++) is_ring(s, i) ? draw_ring_ticks(s, i) : draw_ticks(s, i);
     draw_arcs(s, false);
     tr_marks_draw(s);
     tr_marks_sliding(s);
     draw_contacts(s);
     for (int i = 0; i < n; i++) draw_motion(s, i);
+    for (int i = 0; i < n; i++) draw_pull(s, i);
     draw_arcs(s, true);
     tr_ground_slope(s);
     cairo_restore(s->cr);

@@ -33,6 +33,8 @@ typedef enum tr_when {
     ROW(TR_ACCELERATION, "acceleration", ACCELERATION, "m/s^2", TR_OF_DISK, TR_SINCE, acceleration)                    \
     ROW(TR_STOP_TIME, "stop-time", TIME, "s", TR_OF_DISK, TR_EVENT, stop_time)                                         \
     ROW(TR_STOP_DISTANCE, "stop-distance", LENGTH, "m", TR_OF_DISK, TR_EVENT, stop_distance)                           \
+    ROW(TR_PLACE_X, "x", LENGTH, "m", TR_OF_DISK, TR_AT_TIME, place_x)                                                 \
+    ROW(TR_PLACE_Y, "y", LENGTH, "m", TR_OF_DISK, TR_AT_TIME, place_y)                                                 \
     ROW(TR_SPIN, "spin", SPIN, "rad/s", TR_OF_DISK, TR_AT_TIME, spin)                                                  \
     ROW(TR_TORQUE, "torque", MOMENT, "N|N*m", TR_OF_DISK, TR_AT_TIME, torque)                                          \
     ROW(TR_POWER, "power", POWER, "N/s|J/s", TR_OF_DISK, TR_AT_TIME, power)                                            \

@@ -92,6 +92,8 @@ MEAN(sliding_velocity, now->contact->v_s)
 MEAN(rolling_velocity, now->contact->v_r) /* by the definition of the scene */
 MEAN(speed, now->speed)
 MEAN(spin, now->v[2])
+MEAN(place_x, now->x)
+MEAN(place_y, now->y)
 MEAN(torque, now->force[2]) /* of its contacts, as the power */
 MEAN(power, now->force[0] * now->v[0] + now->force[1] * now->v[1] + now->force[2] * now->v[2])
 MEAN(energy_lost, 1 - now->energy / it->start.energy) /* kinetic */

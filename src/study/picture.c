@@ -26,9 +26,16 @@ void tr_picture_widen(tr_view_box *v, const tr_play *p) {
     double tilt = tr_play_tilt(p), c = tr_cos(tilt), n = tr_sin(tilt);
     for (int i = 0; i < world->disks.n; i++) {
         const double *q = world->disks.pos + 4 * (size_t)i;
-        double x = q[0] * c - q[1] * n, y = q[0] * n + q[1] * c;
-        widen(&v->x0, &v->x1, x - q[3]), widen(&v->x0, &v->x1, x + q[3]);
-        widen(&v->y0, &v->y1, y - q[3]), widen(&v->y0, &v->y1, y + q[3]);
+        double x = q[0] * c - q[1] * n, y = q[0] * n + q[1] * c, R = i < world->n_rings ? world->disks.outer[i] : q[3];
+        widen(&v->x0, &v->x1, x - R), widen(&v->x0, &v->x1, x + R);
+        widen(&v->y0, &v->y1, y - R), widen(&v->y0, &v->y1, y + R);
+    }
+    for (int i = 0; i < world->disks.n; i++) { /* a thread is as long as its disk is wide, and a little more */
+        const tr_scene_pull *pull = &p->scene->disks[i].pull;
+        const double *q = world->disks.pos + 4 * (size_t)i, way = (pull->force < 0 ? -2.6 : 2.6) * fabs(q[3]);
+        double x = q[0] + way * cos(pull->angle), y = q[1] + way * sin(pull->angle);
+        if (!pull->given) continue;
+        widen(&v->x0, &v->x1, x * c - y * n), widen(&v->y0, &v->y1, x * n + y * c);
     }
     v->range = fmax(v->range, tr_frame_range_bodies(world, p->records, p->n_records));
 }

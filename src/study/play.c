@@ -130,6 +130,7 @@ static int join_traces(tr_play *p) {
 tr_show_lane tr_play_lane(tr_play *p) {
     tr_show_lane lane = {.label = *p->scene->label ? p->scene->label : NULL,
                          .world = &p->b.world,
+                         .disk = p->scene->disks,
                          .record = p->records,
                          .n_records = p->n_records,
                          .tilt = tr_play_tilt(p),

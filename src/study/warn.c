@@ -10,16 +10,19 @@
 
 enum { NAMES = 80 };
 
-/* "disks 0 and 1", "wall 0 and disk 1" */
-static void name_pair(int a, int b, char text[NAMES]) {
-    snprintf(text, NAMES, a < 0 ? "wall %d and disk %d" : "disks %d and %d", a < 0 ? -1 - a : a, b);
+/* "disks 0 and 1", "wall 0 and disk 1", "ring 0 and disk 1" */
+static void name_pair(const tr_world *world, int a, int b, char text[NAMES]) {
+    const char *format = a < 0                ? "wall %d and disk %d"
+                         : a < world->n_rings ? "ring %d and disk %d"
+                                              : "disks %d and %d";
+    snprintf(text, NAMES, format, a < 0 ? -1 - a : a, b);
 }
 
 static void warn_tangent(const tr_bodies *b, const char *of, tr_run_report *report) {
     tr_tangent t;
     char names[NAMES], more[60] = "";
     if (!tr_tangent_find(b, &t)) return;
-    name_pair(t.a, t.b, names);
+    name_pair(&b->world, t.a, t.b, names);
     if (t.more) snprintf(more, sizeof more, "; so do %d more pair%s", t.more, t.more > 1 ? "s" : "");
     const char *unit = b->world.shape == TR_SHAPE_SPHERE ? "N" : "N/m";
     if (t.weight)
@@ -38,7 +41,7 @@ static void warn_resolution(const tr_bodies *b, const char *of, tr_run_report *r
     tr_resolution r;
     char names[NAMES];
     if (tr_resolution_overlap(b, &r)) {
-        name_pair(r.a, r.b, names);
+        name_pair(&b->world, r.a, r.b, names);
         tr_run_note(
             report,
             "%s%s: numbers near %.4g m are %.2g m apart, and an overlap of about %.2g m is made of them: it may "
@@ -75,7 +78,7 @@ static void warn_fit_bodies(const tr_bodies *b, const char *of, tr_run_report *r
     tr_fit f;
     char names[NAMES], where[NAMES + 8], more[60] = "";
     if (!tr_fit_bodies(b, &f)) return;
-    name_pair(f.one, f.two, names);
+    name_pair(&b->world, f.one, f.two, names);
     snprintf(where, sizeof where, " of %s", names);
     if (f.more) snprintf(more, sizeof more, ". The same for %d more pair%s", f.more, f.more > 1 ? "s" : "");
     warn_fit(&f, of, where, more, report);

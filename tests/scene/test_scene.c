@@ -465,6 +465,8 @@ static void checks_have_dimensions(void **state) {
         [TR_ACCELERATION] = {"acceleration", {" m/s^2", " m/s^2"}},
         [TR_STOP_TIME] = {"stop-time", {" s", " s"}},
         [TR_STOP_DISTANCE] = {"stop-distance", {" m", " m"}},
+        [TR_PLACE_X] = {"x", {" m", " m"}},
+        [TR_PLACE_Y] = {"y", {" m", " m"}},
         [TR_SPIN] = {"spin", {" rad/s", " rad/s"}},
         [TR_TORQUE] = {"torque", {" N", " N*m"}},
         [TR_POWER] = {"power", {" N/s", " N*m/s"}},
