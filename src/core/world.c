@@ -4,6 +4,7 @@
 #include "base/alloc.h"
 #include "broad/choose.h"
 #include "core/shares_memory.h"
+#include "base/math.h"
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
@@ -61,7 +62,7 @@ bool tr_world_set_ring(tr_world *world, int i, double radius, double outer, doub
     if (!d->outer && !(d->outer = tr_alloc((size_t)d->n, sizeof *d->outer, st))) return false;
     bool shell = world->shape == TR_SHAPE_SPHERE;
     double m = density * M_PI * (shell ? 4.0 / 3 * (b * b * b - a * a * a) : b * b - a * a);
-    double I = shell ? 0.4 * m * (pow(b, 5) - pow(a, 5)) / (pow(b, 3) - pow(a, 3)) : 0.5 * m * (a * a + b * b);
+    double I = shell ? 0.4 * m * (tr_pow(b, 5) - tr_pow(a, 5)) / (tr_pow(b, 3) - tr_pow(a, 3)) : 0.5 * m * (a * a + b * b);
     d->pos[4 * (size_t)i + 3] = -radius, d->outer[i] = outer;
     d->mass[i] = m, d->inertia[i] = I;
     for (int k = 0; k < 3; k++)

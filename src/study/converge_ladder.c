@@ -21,7 +21,7 @@ static double change(const double *v, int from, int to) {
 
 /* p of three neighbours; NaN: they do not go one way, ever less. */
 static double order_of(const double *v, double r) {
-    double ratio = (v[1] - v[0]) / (v[2] - v[1]), p = ratio > 1 && isfinite(ratio) ? log(ratio) / log(r) : NAN;
+    double ratio = (v[1] - v[0]) / (v[2] - v[1]), p = ratio > 1 && isfinite(ratio) ? tr_log(ratio) / tr_log(r) : NAN;
     return p >= LEAST_ORDER && p <= LARGEST_ORDER ? p : NAN;
 }
 
@@ -52,7 +52,7 @@ static bool find_scatter(tr_ladder *l, const double *v, int first, int last, dou
     static const double TAKEN = 0.75;  /* at most: a slope of few levels may be steep by chance */
     double n = 0, x = 0, y = 0, xx = 0, xy = 0, top = 0;
     for (int k = first; k < last - 1; k++) {
-        double D = log(change(v, k, k + 2)) / log(r);
+        double D = tr_log(change(v, k, k + 2)) / tr_log(r);
         if (!isfinite(D)) return false;
         n++, x += k, y += D, xx += (double)k * k, xy += k * D;
     }

@@ -5,6 +5,7 @@
 #include "base/version.h"
 #include "study/converge_cost.h"
 #include "study/converge_errors.h"
+#include "base/math.h"
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -13,7 +14,7 @@
 
 /* "0.7028": as many digits as the error leaves, and one more. */
 static const char *digits(double value, double error, char text[32]) {
-    double size = floor(log10(fabs(value))), small = floor(log10(error));
+    double size = floor(tr_log10(fabs(value))), small = floor(tr_log10(error));
     int n = isfinite(size) && isfinite(small) ? (int)fmin(fmax(size - small + 2, 2), 15) : 6;
     snprintf(text, 32, "%.*g", n, value);
     return text;
