@@ -27,14 +27,14 @@ LIBS  := $(shell pkg-config --libs $(PKGS) 2>/dev/null) -lcsv -lm -pthread
 # The commit that summary.json names. The directory is named to git, so that the repository around a tarball is not taken for this one.
 COMMIT := $(shell git --git-dir=.git describe --always --dirty --abbrev=12 --exclude='*' 2>/dev/null || echo unknown)
 
-LIB_SRC  := $(filter-out src/cli/%,$(wildcard src/*/*.c)) $(wildcard src/*/*.cpp)
+LIB_SRC  := $(filter-out src/cli/% src/live/%,$(wildcard src/*/*.c)) $(wildcard src/*/*.cpp)
 CLI_SRC  := $(wildcard src/cli/*.c)
 TEST_SRC := $(wildcard tests/*/test_*.c)
 LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o) $(BUILD)/src/base/math.o
 CLI_OBJ  := $(CLI_SRC:%=$(BUILD)/%.o)
 TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all biaxial creep definitions figures wang kuhn kuhn-film bands replay spread features bench bench-peers demos gallery man install-man manual verify test mutate faults random test-slurm install asan tsan fuzz lint format clean help packages-% build-all build-faults build-random run-demos run-install run-tests run-tsan
+.PHONY: all live biaxial creep definitions figures wang kuhn kuhn-film bands replay spread features bench bench-peers demos gallery man install-man manual verify test mutate faults random test-slurm install asan tsan fuzz lint format clean help packages-% build-all build-faults build-random run-demos run-install run-tests run-tsan
 .SECONDARY:
 
 all: packages-build ## builds ./trundle (make without a target)
@@ -132,6 +132,10 @@ manual: packages-manual ## one book of all pages with pictures: out/manual/index
 	@$(MAKE) --no-print-directory build-all
 	figures/manual/build.sh ./$(TRUNDLE) $(OUT)/manual
 	@echo "book: $(OUT)/manual/index.html"
+
+live: packages-live ## one page to touch, with the same laws inside: out/live/index.html
+	@$(MAKE) --no-print-directory $(OUT)/live/index.html
+	@echo "page: $(OUT)/live/index.html, to take along: $(OUT)/live.zip (needs zip)"
 
 # Minutes. The figures show what failed too.
 verify: packages-build ## comparison with answers from elsewhere, error against run time: out/verify/ (minutes)
@@ -362,6 +366,25 @@ $(OUT)/demos/%.done: cases/%.yaml $(TRUNDLE)
 	@touch $@
 $(OUT)/gallery/index.html: $(wildcard figures/gallery/* $(OUT)/demos/*/summary.json)
 	figures/gallery/build.sh $(OUT)/demos $(OUT)/gallery $(DEMOS)
+
+# The library for WebAssembly, without what a page has not: files, threads, Box2D, libyaml and muParser. src/live/ has what takes
+# their place. Of one and the same flags, but those of src/live/wasm.c.
+WASM     := $(BUILD)/wasm
+WASM_SRC := $(filter-out src/base/program.c src/base/threads.c,$(wildcard $(patsubst %,src/%/*.c,base scene laws core patch api live))) \
+            src/broad/pairs.c
+WASM_OBJ := $(WASM_SRC:%=$(WASM)/%.o)
+WASM_CC  := clang-14 --target=wasm32-wasi
+$(WASM)/src/live/wasm.c.o: WASM_FLAGS := -fno-builtin
+$(WASM)/%.c.o: %.c
+	@mkdir -p $(@D)
+	$(call step,WASM) $(WASM_CC) -O3 -msimd128 -ffp-contract=off -std=c17 -D_GNU_SOURCE -fno-math-errno -fno-trapping-math -Wall -Wextra -Wpedantic -Isrc -Isrc/live \
+	    -include src/live/wasi.h -MMD -MP $(WASM_FLAGS) -c -o $@ $<
+$(WASM)/live.wasm: $(WASM_OBJ)
+	$(call step,LINK) $(WASM_CC) -mexec-model=reactor -Wl,--gc-sections,--strip-all,-z,stack-size=1048576 -o $(@:.wasm=.big) $^ && \
+	    wasm-opt -O3 --enable-simd --enable-sign-ext --enable-bulk-memory -o $@ $(@:.wasm=.big)
+$(OUT)/live/index.html: $(WASM)/live.wasm $(wildcard src/live/page/*)
+	@mkdir -p $(@D)
+	src/live/build.sh $< $@
 
 $(OUT)/man/trundle.1: src/cli/man.sh $(TRUNDLE)
 	$< $(TRUNDLE) $(@D)

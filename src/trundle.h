@@ -105,6 +105,12 @@ TRUNDLE_API int trundle_world_disk(const trundle_world *world, int i, trundle_di
 TRUNDLE_API int trundle_world_set_velocity(trundle_world *world, int i, double vx, double vy, double spin,
                                            trundle_error *error);
 
+/* From the next step on the world follows `contact` of another scene. Contacts keep the history of a law of friction that
+ * stays; all other histories are zero. The length of a step stays: if it is too long for these laws, a step fails. The
+ * contacts can be read after the next step. The shape must be the same, else TRUNDLE_BAD_CASE. After TRUNDLE_FILE the world
+ * can only be read and freed. */
+TRUNDLE_API int trundle_world_change_laws(trundle_world *world, const trundle_scene *scene, trundle_error *error);
+
 /* The touching contacts, sorted by (a, b), disk-disk first. Returns how many there are, and writes the first `room` of
  * them. -1: memory is short. touch may be NULL if room is 0. */
 TRUNDLE_API int trundle_world_contacts(trundle_world *world, trundle_touch *touch, int room, trundle_error *error);
@@ -160,8 +166,9 @@ typedef enum trundle_velocity { TRUNDLE_ROLLING, TRUNDLE_SLIDING } trundle_veloc
 TRUNDLE_API int trundle_definition_count(trundle_velocity kind);
 TRUNDLE_API const char *trundle_definition_name(trundle_velocity kind, int i);
 
-/* Definition i of two disks that move like this [m/s; an angle by author: rad/s]. NaN if there is no such definition,
- * or the centres coincide. */
+/* Definition i of two disks that move like this [m/s; an angle by author: rad/s]. R1 = INFINITY: body 1 is a plane through
+ * (x, y) of one, that turns with its spin; its normal points at the centre of two. NaN if there is no such definition, or
+ * the centres coincide. */
 TRUNDLE_API double trundle_definition_value(trundle_velocity kind, int i, double R1, double R2, const trundle_body *one,
                                             const trundle_body *two);
 

@@ -6,6 +6,7 @@
 #include "core/biaxial.h"
 #include "core/bodies.h"
 #include "core/bodies_state.h"
+#include "core/pipeline.h"
 #include "core/step.h"
 
 #include <math.h>
@@ -146,6 +147,17 @@ int trundle_world_set_velocity(trundle_world *w, int i, double vx, double vy, do
         d->vel[lane] = v[k] - 0.5 * w->world->dt * d->inv[lane] * d->force[lane];
     }
     return fail(error, TR_OK, "");
+}
+
+int trundle_world_change_laws(trundle_world *w, const trundle_scene *scene, trundle_error *error) {
+    const bool biaxial = w->world == &w->biaxial.world;
+    tr_status st = {0};
+    if (scene->scene.shape != w->world->shape) return fail(error, TR_BAD_CASE, "the other scene has another shape");
+    if (w->failed)
+        return fail(error, TR_BAD_CASE, "this world failed in an earlier step; it can only be read and freed");
+    w->failed = !tr_world_change_laws(w->world, &scene->scene.contact, biaxial && w->scene->shear.walls == 0,
+                                      biaxial ? 0 : TR_SINK_ARCS, &st);
+    return tr_api_tell(&st, error);
 }
 
 int trundle_world_contacts(trundle_world *w, trundle_touch *touch, int room, trundle_error *error) {

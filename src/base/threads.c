@@ -6,6 +6,7 @@
 
 #include "base/alloc.h"
 #include <pthread.h>
+#include <sched.h>
 #include <signal.h>
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -153,4 +154,9 @@ void tr_threads_run(tr_threads *t, void (*work)(void *context, int k), void *con
     begin(t);
     take_shares(t, 0, atomic_load(&t->run));
     wait_until_done(t);
+}
+
+int tr_processors(void) {
+    cpu_set_t set;
+    return sched_getaffinity(0, sizeof set, &set) ? 1 : CPU_COUNT(&set);
 }

@@ -11,7 +11,6 @@
 #define TR_THREADS_H
 
 #include "base/status.h"
-#include <sched.h>
 #include <stdint.h>
 
 enum { TR_MOST_THREADS = 1024 };
@@ -38,9 +37,6 @@ static inline int tr_threads_share(int all, int k, int n) {
 }
 
 /* Processors that this process may use. */
-static inline int tr_processors(void) {
-    cpu_set_t set;
-    return sched_getaffinity(0, sizeof set, &set) ? 1 : CPU_COUNT(&set);
-}
+int tr_processors(void);
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "base/random.h"
+#include "base/math.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -96,7 +97,7 @@ typedef struct search {
 
 static int cost_of(const tr_form *f, bool moment) {
     bool angle = tr_forms_is_angle(f->family, f->definition);
-    int cost = f->definition + 30 * f->radii + (int)(25 * fabs(log2(fabs(f->factor)))) + (f->factor < 0 ? 10 : 0);
+    int cost = f->definition + 30 * f->radii + (int)(25 * fabs(tr_log2(fabs(f->factor)))) + (f->factor < 0 ? 10 : 0);
     for (int k = 0; k < 2; k++) cost += f->lever[k] >= 0 ? 2 * f->lever[k] + 50 * k : 0;
     return cost + (angle && !moment && f->lever[0] >= 0 ? 30 : 0);
 }
@@ -136,7 +137,7 @@ static bool consider(search *s, tr_form form) {
     if (!(xx > 0) || xy == 0 || !isfinite(xy / xx)) return true;
     double c = xy / xx, near = 1;
     for (int k = 0; k < tr_n_factors; k++)
-        if (fabs(log(fabs(c) / tr_factors[k].value)) < fabs(log(fabs(c) / near))) near = tr_factors[k].value;
+        if (fabs(tr_log(fabs(c) / tr_factors[k].value)) < fabs(tr_log(fabs(c) / near))) near = tr_factors[k].value;
     bool odd = fabs(fabs(c) / near - 1) >= 0.02;
     return keep(s, form, copysign(near, c), false) && (!odd || keep(s, form, c, true));
 }

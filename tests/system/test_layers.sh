@@ -9,7 +9,8 @@ set -u
 root=${1:-.}
 
 # Allowed: FOLDER: what it may include besides itself. The drivers in study/ put a whole run together, frames included,
-# so that cli/ is arguments and printing only. api/ is the public library, whose face is trundle.h.
+# so that cli/ is arguments and printing only. api/ is the public library, whose face is trundle.h. live/ is that library
+# in a page, with what a page has not in place of scene/'s and broad/'s libraries.
 arrows='
 base:
 scene: base
@@ -23,6 +24,7 @@ study: base scene laws patch core out draw
 verify: base scene laws patch broad core out draw study
 cli: base scene laws patch broad core out draw study verify
 api: base scene laws core trundle.h
+live: base scene broad trundle.h
 '
 sources() { find "$root/src" -name '*.[ch]' -o -name '*.cpp' -o -name '*.hpp' | sort; }
 
@@ -209,7 +211,7 @@ check 'no header declares functions of several files' is_silent shared_headers
 check 'no files include each other in a circle' is_silent include_circles
 check 'Cairo, libpng and ISA-L only in draw/' is_silent library 'cairo|png\.h|pango|isa-l' draw
 check 'Box2D only in broad/' is_silent library 'box2d|b2_' broad
-check 'YAML and muParser only in scene/' is_silent library 'yaml|muParser' scene
+check 'YAML and muParser only in scene/' is_silent library 'yaml|muParser' '\(scene\|live\)'
 check 'jansson only in out/' is_silent library 'jansson' out
 check 'libcsv only in study/' is_silent library 'csv\.h' study
 check 'printing and exit only in cli/' is_silent printing
