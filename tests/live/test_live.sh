@@ -33,6 +33,13 @@ moved() { [ "$(grep -c '^cases.* [0-9a-f]*$' "$work/wasm")" -ge 8 ]; } # the oth
 check 'and eight cases at least have moved' moved
 check 'the biaxial test: the same positions after 10,000 steps' same 10000 cases/biaxial.yaml
 
+# What "copy case.yaml" gives, run by the command's library.
+copied() { mkdir -p "$work/copied" && node tests/live/cases.mjs "$page" "$work/copied"; }
+check 'the scenes give their cases, and their addresses hold all values' copied
+check 'the cases of the scenes: the same positions after 300 steps' same 300 "$work"/copied/*.yaml
+none_refused() { ! grep -A3 error "$work/native"; }
+check 'and none of them is refused' none_refused
+
 # Messages of the reader of cases name line and column: the page's own reader of YAML must count as libyaml does.
 cat >"$work/head" <<'END'
 kind: bodies

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* A canvas with a world on it: metres, y upward. Letters are as large as those of the page. */
-import {word} from './words.mjs';
 
 export function colour(name) {
     return getComputedStyle(document.documentElement).getPropertyValue('--' + name).trim();
@@ -91,11 +90,6 @@ export class Painter {
         this.c.fillText(text, px, py);
     }
 
-    /* The word of a lamp beside a contact. */
-    lamp(lamp, x, y) {
-        this.text(word('lamp.' + lamp), x, y, {align: 'left', bold: true, size: 1.1});
-    }
-
     /* Curves over one axis. curves: [{points: [[x, y]], colour, dash, name}]; box in pixels. */
     chart(box, {x: [x0, x1], y: [y0, y1], xName, yName, curves}) {
         const c = this.c, left = box.x + 3.2 * this.em, right = box.x + box.w - .6 * this.em;
@@ -117,10 +111,18 @@ export class Painter {
         }
         c.restore();
         c.setLineDash([]);
-        curves.filter(curve => curve.name && curve.points.length > 1).forEach(curve => {
-            const [px, py] = at(curve.points[curve.points.length - 1]);
-            this.label(curve.name, Math.min(px, right) - .3 * this.em, Math.max(top + .6 * this.em, py - .6 * this.em), {colour: this.ink, align: 'right', size: .8});
-        });
+        this.names(curves.filter(k => k.name && k.points.length > 1).map(k => [k.name, ...at(k.points[k.points.length - 1])]), right, top, bottom);
+    }
+
+    /* Beside the ends of curves, one below the other. */
+    names(list, right, top, bottom) {
+        const gap = .95 * this.em;
+        let below = top;
+        for (const [name, px, py] of list.sort((a, b) => a[2] - b[2])) {
+            const y = Math.max(below + .55 * this.em, py - .6 * this.em);
+            this.label(name, Math.min(px, right) - .3 * this.em, Math.min(y, bottom - .5 * this.em), {align: 'right', size: .8});
+            below = y + gap - .55 * this.em;
+        }
     }
 }
 

@@ -48,7 +48,8 @@ export const pairScene = {
         }
         const [x, y] = turn([a.radius * Math.cos(beta), a.radius * Math.sin(beta)]), n = beta + back;
         if (!r.tell) return;
-        p.lamp(lamp, x + .04 * Math.cos(n), y - .09 - .04 * Math.sin(n));
+        const off = Math.min(a.radius, b.radius) + .06;
+        p.text(word('lamp.' + lamp), x + off * Math.sin(n), y - off * Math.cos(n), {bold: true, size: 1.1});
         if (lamp === 'SLIDES' || lamp === 'BOTH') p.arrow(x + .08 * Math.sin(n), y - .08 * Math.cos(n), -.16 * Math.sin(n), .16 * Math.cos(n), p.slide, {both: true});
         if (lamp === 'ROLLS' || lamp === 'BOTH') p.circle(x, y, .018, {fill: p.roll});
     },

@@ -50,7 +50,7 @@ export function drawWheel(p, d, start, {vs, vr, scale, tell, chalk = true}) {
         p.label(word('rim.rimChalk', {length: short(Math.abs(rim * R))}), p.px(d.x), below + 1.2 * p.em, {align: 'center'});
     }
     if (!tell) return;
-    p.lamp(lamp, d.x + .14, .035);
+    p.label(word('lamp.' + lamp), p.px(d.x), p.py(-.1) + (chalk ? 3.4 : .9) * p.em, {align: 'center', bold: true, size: 1.1});
     if (lamp === 'SLIDES' || lamp === 'BOTH') p.arrow(d.x - .12, .03, .24, 0, p.slide, {both: true});
     if (lamp === 'ROLLS' || lamp === 'BOTH') p.circle(d.x, 0, .018, {fill: p.roll});
 }
@@ -60,8 +60,8 @@ export const ARROW = .35; /* metres of arrow for 1 m/s */
 export function drawMotion(p, d) {
     p.arrow(d.x, d.y, ARROW * d.vx, 0, p.ink);
     p.arrow(d.x, d.y + d.radius, -ARROW * d.spin * d.radius, 0, p.faint);
-    p.text('v', d.x + ARROW * d.vx + .04 * Math.sign(d.vx), d.y + .03);
-    p.text('R ω', d.x - ARROW * d.spin * d.radius - .06 * Math.sign(d.spin), d.y + d.radius + .03, {colour: p.faint});
+    if (d.vx) p.text('v', d.x + ARROW * d.vx + .04 * Math.sign(d.vx), d.y + .03);
+    if (d.spin) p.text('R ω', d.x - ARROW * d.spin * d.radius - .06 * Math.sign(d.spin), d.y + d.radius + .03, {colour: p.faint});
 }
 
 export const rimScene = {

@@ -17,7 +17,7 @@ export const throwScene = {
     ],
     /* It rests on its contact, so that it does not bounce. */
     text(s) {
-        const weight = s.shape === 'sphere' ? '4/3*density*pi*radius^3' : 'density*pi*radius^2', k = s.shape === 'sphere' ? '10 MN/m' : '10 MPa';
+        const weight = s.shape === 'sphere' ? '4/3*density*pi*radius^3' : 'density*pi*radius^2', k = s.shape === 'sphere' ? '100 MN/m' : '100 MPa';
         return `# ${word('scene.throw.title')}\nkind: bodies\nshape: ${s.shape}\ngravity: {x: 0, y: -${G} m/s^2}\ntime_end: ${throwScene.seconds} s\n` +
             `contact: {k_n: ${k}, damping_ratio: 0.3, friction: coulomb-spring, mu: ${s.mu}, rolling: none}\ndisks:\n` +
             `  - {radius: ${WHEEL} m, density: 1200 kg/m^3, x: 0, y: radius - ${weight}*${G} m/s^2/contact.k_n, vx: ${s.v} m/s, spin: ${s.w} rad/s}\n` +
@@ -32,7 +32,7 @@ export const throwScene = {
         const d = world.disk(0), whole = p.box, low = Math.min(-.1, ...memory.v.map(x => x[1]), ...memory.rim.map(x => x[1]));
         const high = Math.max(.1, ...memory.v.map(x => x[1]), ...memory.rim.map(x => x[1])), gap = .1 * (high - low);
         p.view(d.x, .17, .75, .42, {x: whole.x, y: whole.y, w: whole.w, h: .56 * whole.h});
-        drawWheel(p, d, memory.start, {...r.contacts[0], ...r});
+        drawWheel(p, d, memory.start, {...r.contacts[0], ...r, chalk: false});
         drawMotion(p, d);
         p.chart({x: whole.x, y: whole.y + .58 * whole.h, w: whole.w, h: .42 * whole.h},
             {x: [0, throwScene.seconds], y: [low - gap, high + gap], xName: word('throw.time'), yName: word('throw.speeds'),

@@ -30,7 +30,7 @@ export const wheelsScene = {
             p.c.beginPath(), p.c.rect(p.box.x, p.box.y, p.box.w, p.box.h), p.c.clip();
             drawWheel(p, d, memory.start[i], {...r.contacts[i], ...r});
             drawMotion(p, d);
-            p.text(word('wheels.names')[i], d.x, .57, {bold: true});
+            p.label(word('wheels.names')[i], p.box.x + p.box.w / 2, p.box.y + p.em, {align: 'center', bold: true});
             p.c.restore();
         }
         p.box = whole;
