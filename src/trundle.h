@@ -105,8 +105,8 @@ TRUNDLE_API int trundle_world_disk(const trundle_world *world, int i, trundle_di
 TRUNDLE_API int trundle_world_set_velocity(trundle_world *world, int i, double vx, double vy, double spin,
                                            trundle_error *error);
 
-/* From the next step on the world follows `contact` of another scene. Contacts keep the history of a law of friction that
- * stays; all other histories are zero. The length of a step stays: if it is too long for these laws, a step fails. The
+/* From the next step on the world follows `contact` of another scene. Contacts keep the histories of a law of friction and
+ * of rolling that stays; all others are zero. The length of a step stays: if it is too long for these laws, a step fails. The
  * contacts can be read after the next step. The shape must be the same, else TRUNDLE_BAD_CASE. After TRUNDLE_FILE the world
  * can only be read and freed. */
 TRUNDLE_API int trundle_world_change_laws(trundle_world *world, const trundle_scene *scene, trundle_error *error);

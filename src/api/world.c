@@ -157,6 +157,7 @@ int trundle_world_change_laws(trundle_world *w, const trundle_scene *scene, trun
         return fail(error, TR_BAD_CASE, "this world failed in an earlier step; it can only be read and freed");
     w->failed = !tr_world_change_laws(w->world, &scene->scene.contact, biaxial && w->scene->shear.walls == 0,
                                       biaxial ? 0 : TR_SINK_ARCS, &st);
+    w->world->fresh = false; /* the bodies have moved since the histories that stay were made */
     return tr_api_tell(&st, error);
 }
 

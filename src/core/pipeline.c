@@ -132,28 +132,36 @@ static bool is_before(int a, int b, int other_a, int other_b) {
 }
 
 /* Both lists are sorted by their ids. */
-static void carry_friction(tr_group *to, const tr_group *from) {
-    int first = to->slot[TR_FRICTION].hist, old_first = from->slot[TR_FRICTION].hist, old = 0;
+static void carry(tr_group *to, const tr_group *from, int slot) {
+    int first = to->slot[slot].hist, old_first = from->slot[slot].hist, old = 0;
     for (int i = 0; i < to->n; i++) {
         while (old < from->n && is_before(from->a[old], from->b[old], to->a[i], to->b[i])) old++;
         if (old == from->n) return;
         if (from->a[old] != to->a[i] || from->b[old] != to->b[i]) continue;
-        for (int h = 0; h < to->slot[TR_FRICTION].law->n_hist; h++)
-            to->hist[first + h][i] = from->hist[old_first + h][old];
+        for (int h = 0; h < to->slot[slot].law->n_hist; h++) to->hist[first + h][i] = from->hist[old_first + h][old];
     }
+}
+
+/* Has it a history that the law of before kept too? */
+static bool carries(const tr_group *now, const tr_group *before, int slot) {
+    const tr_law *law = now->slot[slot].law;
+    return before->n && law->n_hist && law == before->slot[slot].law;
 }
 
 bool tr_world_change_laws(tr_world *world, const tr_scene_contact *contact, bool smooth_walls, unsigned sinks,
                           tr_status *st) {
-    tr_group before = world->group[0], *now = &world->group[0];
-    *now = (tr_group){0};
-    bool ok = tr_world_set_laws(world, contact, smooth_walls, sinks, st);
-    const tr_law *friction = before.slot[TR_FRICTION].law;
-    if (ok && before.n && friction->n_hist && friction == now->slot[TR_FRICTION].law) {
+    static const int slots[] = {TR_FRICTION, TR_ROLLING};
+    tr_group before[2], *now = world->group;
+    memcpy(before, now, sizeof before);
+    for (int k = 0; k < 2; k++) now[k] = (tr_group){.walls = before[k].walls};
+    bool ok = tr_world_set_laws(world, contact, smooth_walls, sinks, st), any = false;
+    for (int k = 0; ok && k < 4; k++) any |= carries(&now[k / 2], &before[k / 2], slots[k % 2]);
+    if (any) {
         ok = tr_contacts_refresh(world, st);
-        if (ok) carry_friction(now, &before);
+        for (int k = 0; ok && k < 4; k++)
+            if (carries(&now[k / 2], &before[k / 2], slots[k % 2])) carry(&now[k / 2], &before[k / 2], slots[k % 2]);
         world->stale = true; /* sinks may still come, and want their arrays */
     }
-    tr_group_free(&before);
+    for (int k = 0; k < 2; k++) tr_group_free(&before[k]);
     return ok;
 }

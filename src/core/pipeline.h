@@ -16,7 +16,7 @@ typedef enum tr_sinks {
 bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool smooth_walls, unsigned sinks,
                        tr_status *st);
 
-/* The same, but the contacts of disks that have the same law of friction as before keep its histories. */
+/* The same, but contacts keep the histories of a law of friction and of rolling that stays. */
 bool tr_world_change_laws(tr_world *world, const tr_scene_contact *contact, bool smooth_walls, unsigned sinks,
                           tr_status *st);
 

@@ -260,6 +260,87 @@ static void definitions(void **state) {
     assert_true(isnan(trundle_definition_value(TRUNDLE_ROLLING, 0, 1, 3, &one, &one)));
 }
 
+/* A wheel that rolls on a floor, one that skids, one that spins on the spot [Wang2015 eqs. 14, 15]: V_s = R w + V,
+ * V_r = -R w by Wang, half of the way of the contact over both surfaces by Bagi and Kuhn. Then the same for an observer
+ * who moves and turns with the floor. */
+static void definitions_on_a_floor(void **state) {
+    (void)state;
+    const struct { double v, w, slides, wang, mean; } rows[] = {{2, -4, 0, 2, 2}, {2, 0, 2, 0, 1}, {0, -4, -2, 2, 1}};
+    for (int i = 0; i < 6; i++) {
+        const double v = rows[i % 3].v, w = rows[i % 3].w, W = i / 3 ? 3 : 0, ux = i / 3 ? 0.7 : 0;
+        const trundle_body floor = {.x = 1, .y = 0, .vx = ux, .vy = W * 1, .spin = W};
+        const trundle_body disk = {.x = 1, .y = 0.5, .vx = v + ux - W * 0.5, .vy = W * 1, .spin = w + W};
+        assert_close(trundle_definition_value(TRUNDLE_SLIDING, 0, INFINITY, 0.5, &floor, &disk), rows[i % 3].slides,
+                     1e-14, 1e-14);
+        assert_close(trundle_definition_value(TRUNDLE_ROLLING, 0, INFINITY, 0.5, &floor, &disk), rows[i % 3].wang,
+                     1e-14, 1e-14);
+        assert_close(trundle_definition_value(TRUNDLE_ROLLING, 1, INFINITY, 0.5, &floor, &disk), rows[i % 3].mean,
+                     1e-14, 1e-14);
+    }
+}
+
+static const char sled[] =
+    "{kind: bodies, time_end: 1, gravity: {x: 0, y: -9.81}, contact: {k_n: 1e8, damping_ratio: 0.3, "
+    "mu: %g, %s}, disks: [{radius: 0.05, density: 1200, x: 0, y: radius + "
+    "density*pi*radius^2*gravity.y/contact.k_n, vx: 3}], walls: [{nx: 0, ny: 1}]}";
+
+static trundle_scene *sled_of(double mu, const char *rolling) {
+    char text[400];
+    trundle_error error;
+    snprintf(text, sizeof text, sled, mu, rolling);
+    trundle_scene *scene = trundle_scene_read("sled", text, NULL, 0, &error);
+    if (!scene) fail_msg("%s", error.text);
+    return scene;
+}
+
+/* A disk slides on a floor: dv/dt = -mu g, with the mu of before, then that of after. Swings of the contact spring, at
+ * most mu g/w_t with w_t = sqrt(3 k_t/m) = 5600/s, 1e-3 of the speed that is lost in 0.1 s. */
+static void changed_laws(void **state) {
+    (void)state;
+    trundle_error error;
+    trundle_scene *rough = sled_of(0.3, "rolling: none"), *smooth = sled_of(0.1, "rolling: none");
+    trundle_world *world = trundle_world_new(rough, &error);
+    const int steps = (int)(0.1 / trundle_world_dt(world));
+    trundle_disk a, b, c;
+    assert_int_equal(trundle_world_step(world, steps, &error), TRUNDLE_OK);
+    trundle_world_disk(world, 0, &a, &error);
+    assert_int_equal(trundle_world_change_laws(world, smooth, &error), TRUNDLE_OK);
+    assert_int_equal(trundle_world_step(world, steps, &error), TRUNDLE_OK);
+    trundle_world_disk(world, 0, &b, &error);
+    const double lost = 9.81 * steps * trundle_world_dt(world);
+    assert_close(3 - a.vx, 0.3 * lost, 2e-3, 0);
+    assert_close(a.vx - b.vx, 0.1 * lost, 2e-3, 0);
+    trundle_scene *ball = trundle_scene_read("ball",
+                                             "{kind: bodies, shape: sphere, time_end: 1, contact: {k_n: 1e6, mu: 0.1, "
+                                             "rolling: none}, disks: [{radius: 1, x: 0, y: 0}]}",
+                                             NULL, 0, &error);
+    assert_int_equal(trundle_world_change_laws(world, ball, &error), TRUNDLE_BAD_CASE);
+    trundle_world_disk(world, 0, &c, &error);
+    assert_true(c.vx == b.vx);
+    trundle_world_free(world), trundle_scene_free(rough), trundle_scene_free(smooth), trundle_scene_free(ball);
+}
+
+/* A change to the same laws changes nothing: both springs of the contact go on, bit for bit. */
+static void laws_changed_to_themselves(void **state) {
+    (void)state;
+    trundle_error error;
+    trundle_scene *scene = sled_of(0.3, "k_t: 1e8, mu_r: 0.2, k_r: 1e7"),
+                  *same = sled_of(0.3, "k_t: 1e8, mu_r: 0.2, k_r: 1e7");
+    trundle_disk disk[2];
+    for (int k = 0; k < 2; k++) {
+        trundle_world *world = trundle_world_new(scene, &error);
+        assert_non_null(world);
+        for (int i = 0; i < 400; i++) {
+            if (k && i % 50 == 17) assert_int_equal(trundle_world_change_laws(world, same, &error), TRUNDLE_OK);
+            assert_int_equal(trundle_world_step(world, 20, &error), TRUNDLE_OK);
+        }
+        trundle_world_disk(world, 0, &disk[k], &error);
+        trundle_world_free(world);
+    }
+    assert_memory_equal(&disk[0], &disk[1], sizeof disk[0]);
+    trundle_scene_free(scene), trundle_scene_free(same);
+}
+
 /* Two disks are thrown at each other so fast that they meet within a step: that ends the world. */
 static void a_world_that_failed(void **state) {
     (void)state;
@@ -317,9 +398,16 @@ static void comma_locale(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(spring_by_hand), cmocka_unit_test(plane_turned),
-                                       cmocka_unit_test(as_in_a_world),  cmocka_unit_test(what_is_refused),
-                                       cmocka_unit_test(a_biaxial_test), cmocka_unit_test(a_world_that_failed),
-                                       cmocka_unit_test(comma_locale),   cmocka_unit_test(definitions)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(spring_by_hand),
+                                       cmocka_unit_test(plane_turned),
+                                       cmocka_unit_test(as_in_a_world),
+                                       cmocka_unit_test(what_is_refused),
+                                       cmocka_unit_test(a_biaxial_test),
+                                       cmocka_unit_test(a_world_that_failed),
+                                       cmocka_unit_test(comma_locale),
+                                       cmocka_unit_test(definitions),
+                                       cmocka_unit_test(definitions_on_a_floor),
+                                       cmocka_unit_test(changed_laws),
+                                       cmocka_unit_test(laws_changed_to_themselves)};
     return cmocka_run_group_tests_name("api", tests, NULL, NULL);
 }
