@@ -385,6 +385,7 @@ $(WASM)/live.wasm: $(WASM_OBJ)
 $(OUT)/live/index.html: $(WASM)/live.wasm $(wildcard src/live/page/*)
 	@mkdir -p $(@D)
 	src/live/build.sh $< $@
+	@rm -f $(@D).zip && if command -v zip >/dev/null; then cd $(@D) && zip -q ../live.zip index.html; fi
 
 $(OUT)/man/trundle.1: src/cli/man.sh $(TRUNDLE)
 	$< $(TRUNDLE) $(@D)

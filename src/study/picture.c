@@ -33,7 +33,7 @@ void tr_picture_widen(tr_view_box *v, const tr_play *p) {
     for (int i = 0; i < world->disks.n; i++) { /* a thread is as long as its disk is wide, and a little more */
         const tr_scene_pull *pull = &p->scene->disks[i].pull;
         const double *q = world->disks.pos + 4 * (size_t)i, way = (pull->force < 0 ? -2.6 : 2.6) * fabs(q[3]);
-        double x = q[0] + way * cos(pull->angle), y = q[1] + way * sin(pull->angle);
+        double x = q[0] + way * tr_cos(pull->angle), y = q[1] + way * tr_sin(pull->angle);
         if (!pull->given) continue;
         widen(&v->x0, &v->x1, x * c - y * n), widen(&v->y0, &v->y1, x * n + y * c);
     }

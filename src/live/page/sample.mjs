@@ -63,7 +63,8 @@ function drawSample(p, world, mode, memory) {
         p.path([[disks[at], disks[at + 1]], [disks[at] + .8 * R * Math.cos(a), disks[at + 1] + .8 * R * Math.sin(a)]], p.line, .05);
     }
     for (let i = 0; i < touches.n; i++) {
-        const at = touches.stride * i + 1, a = touches.a(i), b = touches.b(i), [colour_, width] = look(p, mode, x, at, all);
+        /* The walls are smooth: what slides along them says nothing. */
+        const at = touches.stride * i + 1, a = touches.a(i), b = touches.b(i), [colour_, width] = look(p, a < 0 ? 'force' : mode, x, at, all);
         if (width < .03) continue;
         const from = a < 0 ? [x[at], x[at + 1]] : [disks[11 * a], disks[11 * a + 1]];
         p.path([from, [disks[11 * b], disks[11 * b + 1]]], colour_, width * pen);
