@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A sink that adds up the arcs da = s1 dt, db = -s2 dt which the contact point has run over each rim since the contact
- * formed [m] (Wang's Fig. 1). They are what a student sees; no law uses them. */
+ * formed [m] (Wang's Fig. 1). Students see them in films; no law uses them. */
 #ifndef TR_CORE_ARCS_H
 #define TR_CORE_ARCS_H
 

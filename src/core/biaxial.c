@@ -17,25 +17,25 @@
 #include <string.h>
 
 /* Soft modes of a frictionless packing are hardly damped by the dashpots; a weak drag against the frame ends them, and
- * halves the steps of compaction. Small enough that the drag on a row of moving disks stays well below the pressure.
- * Off in the shear. */
+ * halves the steps of compaction. It is so small that the drag on a row of moving disks stays well below the pressure.
+ * The shear has none. */
 static const double DRAG = 0.005; /* of sqrt(stiffness under the pressure / mean mass) */
 
-/* Of its stability bound. Twice that halves the time of compaction and leaves e0 where it is (mean of 24 seeds 0.2109 against 0.2100,
- * spread 0.003), but is no longer the step that a shear has by default. */
+/* Of its stability bound. Twice that halves the time of compaction and does not change e0 (mean of 24 seeds 0.2109
+ * against 0.2100, spread 0.003), but it is not the default step of a shear. */
 static const double COMPACTION_SAFETY = 0.4;
 
 /* Of a row of disks: the mass of a piston between walls in the shear. See SERVO in biaxial.h. */
 static const double SHARE_OF_ROW = 1.0 / 6;
 
-/* The strain at which the driven sides are at full speed: this, or what it takes sound to cross the sample; no more
- * than a share of all strain. */
+/* The strain at which the driven sides are at full speed: this, or the strain in which sound crosses the sample, and at
+ * most a fraction of all strain. */
 static const double START = 1e-3, MOST_START = 0.2;
 
-/* How far the held stress may be off, as a mean over so much strain. */
+/* Allowed error of the held stress, as a mean over this strain. */
 static const double MOST_OFF = 0.2, WINDOW = 0.01;
 
-/* Lengths of the walls, and what pushes the pistons, follow the box. */
+/* Lengths of the walls, and the forces on the pistons, follow the box. */
 static void fit_walls(tr_biaxial *b, double horizontal, double lateral) {
     tr_wall *w = b->world.wall;
     tr_periodic_cell *cell = &b->world.cell;
@@ -74,7 +74,7 @@ static void set_mu(tr_biaxial *b, double mu) {
     if (value) *value = mu;
 }
 
-/* Steps in which the walls could cross the box at the speed they are allowed. */
+/* Steps in which the walls could cross the box at their largest speed. */
 static double closing_steps(const tr_biaxial *b) {
     const tr_scene_compaction *c = &b->scene->compaction;
     return 1 / (c->inertial_number * sqrt(c->pressure / b->mean_mass) * b->world.dt);
@@ -88,7 +88,7 @@ double tr_biaxial_stiffness(const tr_biaxial *b, double pressure) {
     return normal->law->elastic(normal->par, R, R, delta).stiffness;
 }
 
-/* Of a stress that is asked for, and of the cell at the end: what can be known before. */
+/* Checks before the run: of the wanted stress, and of the cell at the end. */
 static bool check_reach(const tr_biaxial *b, double dense, tr_status *st) {
     const tr_scene *scene = b->scene;
     const tr_slot *normal = &b->world.group[0].slot[TR_NORMAL];
@@ -129,7 +129,7 @@ bool tr_biaxial_init(tr_biaxial *b, const tr_scene *scene, tr_status *st) {
     for (int i = 0; i < n; i++) mass += b->world.disks.mass[i], radius_sum += b->world.disks.pos[4 * (size_t)i + 3];
     b->mean_mass = mass / n, b->mean_radius = radius_sum / n;
 
-    /* side of the dense sample, for the mass of a row of disks and for the speed that an inertial number means */
+    /* side of the dense sample, for the mass of a row of disks and for the speed of an inertial number */
     double dense = sqrt(b->disk_area * 1.2), row = b->mean_mass * fmax(1, dense / (2 * b->mean_radius));
     double v_max = 0.5 * dense * scene->compaction.inertial_number * sqrt(scene->compaction.pressure / b->mean_mass);
     tr_wall walls[4] = {{.ny = 1}, {.y = side, .ny = -1}, {.nx = 1}, {.x = side, .nx = -1}};
@@ -170,7 +170,7 @@ void tr_biaxial_free(tr_biaxial *b) {
     tr_world_free(&b->world);
 }
 
-/* On the disks at a wall, or at the sides of the cell in its place. */
+/* On the disks at a wall, or at the sides of the cell. */
 static double stress(const tr_biaxial *b, int wall) {
     const tr_wall *w = &b->world.wall[wall];
     const tr_periodic_cell *cell = &b->world.cell;
@@ -190,9 +190,9 @@ TR_VECTOR static void drag(tr_biaxial *b) {
     }
 }
 
-/* A contact was pressed too deep: which stiffness would have held. Samples of 400 disks (mu = mu_r = 0.5) came to 5.8 sigma_2,
- * and to forces of 4.7 sigma_1 2R between disks of radius R, soft ones to less: 6 of both. The force of this contact, as the
- * stresses may still grow, with a fifth more, counts too. */
+/* A contact was pressed too deep: the stiffness that would hold. Samples of 400 disks (mu = mu_r = 0.5) came to 5.8
+ * sigma_2, and to forces of 4.7 sigma_1 2R between disks of radius R, soft ones to less: 6 of both. The force of this
+ * contact, as the stresses may still grow, with a fifth more, counts too. */
 static bool fail_soft(const tr_biaxial *b, tr_status *st) {
     const tr_world *world = &b->world;
     const tr_crush *c = &world->crush;
@@ -277,13 +277,13 @@ bool tr_biaxial_begin_shear(tr_biaxial *b, tr_status *st) {
                                 b->scene->output.energy ? TR_SINK_LEDGER : 0, st);
 }
 
-/* Share of the full speed `steps` steps after the start; its sum over the start is half the number of steps. */
+/* Fraction of the full speed `steps` steps after the start; its sum over the start is half the number of steps. */
 static double speed(const tr_biaxial *b, double steps) {
     double s = fmin(fmax(steps / b->start_steps, 0), 1);
     return s * s * (3 - 2 * s);
 }
 
-/* What the driven sides gain in the step that follows: velocities are those of the middle of steps. */
+/* Change of the driven sides' velocities in the next step: velocities are those of the middle of steps. */
 static void drive(tr_biaxial *b) {
     double k = (double)(b->world.steps - b->shear_start), before = k > 0 ? speed(b, k - 0.5) : 0;
     double gain = b->rate * b->height0 * (speed(b, k + 0.5) - before) / b->world.dt;
@@ -291,7 +291,7 @@ static void drive(tr_biaxial *b) {
     b->world.cell.gain[1] = -gain;
 }
 
-/* The lateral stress that is asked for now. */
+/* The wanted lateral stress at this time. */
 static double asked(const tr_biaxial *b) {
     double from = b->scene->compaction.pressure, to = b->scene->shear.lateral_pressure;
     return from + (to - from) * speed(b, (double)(b->world.steps - b->shear_start));
@@ -302,8 +302,8 @@ static double held(const tr_biaxial *b) {
     return 0.5 * (other + stress(b, TR_RIGHT_WALL));
 }
 
-/* Whether the servo has held its stress over each whole window. What it misses goes as I at the start, then as I^2,
- * and grows as the sample gets flat: the speed that is told is one for a tenth of what may be missed. */
+/* Whether the servo has held its stress over each whole window. Its error goes as I at the start, then as I^2, and
+ * grows as the sample gets flat. The message gives the speed for a tenth of the allowed error. */
 static bool check_held(tr_biaxial *b, tr_status *st) {
     const tr_scene_shear *shear = &b->scene->shear;
     double part = b->rate * b->world.dt * speed(b, (double)(b->world.steps - b->shear_start)); /* of strain */
@@ -328,7 +328,7 @@ bool tr_biaxial_forces(tr_biaxial *b, tr_status *st) {
     tr_world *world = &b->world;
     fit_walls(b, 0, asked(b));
     if (!tr_step_forces(world, st)) return fail_soft(b, st);
-    if (b->scene->shear.hold == TR_HOLD_MEAN) /* what is above the lateral stress helps the disks */
+    if (b->scene->shear.hold == TR_HOLD_MEAN) /* stress above the lateral stress helps the disks */
         world->cell.load[0] -= (held(b) - stress(b, TR_RIGHT_WALL)) * world->cell.side[1];
     drive(b);
     if (world->ledger) {
@@ -344,7 +344,7 @@ bool tr_biaxial_forces(tr_biaxial *b, tr_status *st) {
 
 void tr_biaxial_shape(const tr_biaxial *b, tr_biaxial_state *s) {
     const tr_wall *w = b->world.wall;
-    const tr_periodic_cell *cell = &b->world.cell; /* whose sides are 0 where there are walls */
+    const tr_periodic_cell *cell = &b->world.cell; /* its sides are 0 if there are walls */
     s->height = w[TR_TOP_WALL].y - w[TR_BOTTOM_WALL].y + cell->side[1];
     s->width = w[TR_RIGHT_WALL].x - w[TR_LEFT_WALL].x + cell->side[0];
     s->strain = (b->height0 - s->height) / b->height0;

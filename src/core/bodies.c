@@ -9,9 +9,9 @@
 #include "core/timestep.h"
 #include <math.h>
 
-/* ---- what is prescribed over time */
+/* ---- motions that are prescribed over time */
 
-/* Where an orbit leads: from the start and the time, so that no error grows. */
+/* The place on an orbit, from the start and the time, so that no error grows. */
 static void aim(tr_bodies *b, double time) {
     const tr_disks *all = &b->world.disks;
     for (int i = 0; i < all->n; i++) {
@@ -24,7 +24,7 @@ static void aim(tr_bodies *b, double time) {
     }
 }
 
-/* The velocity on an orbit at the time of the position, which is what contacts see. */
+/* The velocity on an orbit at the time of the position; contacts see it. */
 static void circle(tr_bodies *b) {
     const tr_disks *all = &b->world.disks;
     for (int i = 0; i < all->n; i++) {
@@ -91,7 +91,7 @@ static bool fill(tr_bodies *b, const tr_scene *scene, tr_status *st) {
 
 static bool choose_step(tr_bodies *b, const tr_scene *scene, tr_status *st) {
     tr_world *world = &b->world;
-    double plenty = scene->time_end / 10000; /* where nothing that may touch can vibrate */
+    double plenty = scene->time_end / 10000; /* if no contact can vibrate */
     if (!tr_timestep_choose(world, &scene->step, plenty, &b->dt_bound, st)) return false;
     double steps = ceil(scene->time_end / world->dt - 1e-9);
     if (!(steps <= TR_MOST_STEPS))

@@ -7,7 +7,7 @@
 
 typedef struct tr_bodies {
     tr_world world;  /* do not move: see tr_world */
-    double dt_bound; /* [s]; infinite if nothing that may touch can vibrate */
+    double dt_bound; /* [s]; infinite if no contact can vibrate */
     int64_t steps;   /* to take until time_end */
     const tr_scene *scene;
 } tr_bodies;
@@ -15,8 +15,8 @@ typedef struct tr_bodies {
 /* After tr_step_forces: gravity of that time [m/s^2]. */
 void tr_bodies_gravity(const tr_bodies *b, double gravity[2]);
 
-/* After tr_step_forces: velocity of disk i at the same time as its position, v = v^(n-1/2) + dt F/(2m): vx, vy, w. What
- * is prescribed has it in vel already. */
+/* After tr_step_forces: velocity of disk i at the same time as its position, v = v^(n-1/2) + dt F/(2m): vx, vy, w.
+ * Prescribed motions have it in vel already. */
 void tr_bodies_velocity(const tr_world *world, int i, double velocity[3]);
 
 #endif

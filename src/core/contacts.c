@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Two skins. `near` holds every pair closer than the wide skin at the last search; while disks have not moved too far since, it still
- * holds every pair closer than the thin skin, and the list of the step is pruned from it. The list stays complete until a disk
- * has moved too far for the thin skin (tr_step_advance watches that). How far, less what the whole sample is stretched: stretch.h.
- * In a sheared sample 40 % of the pairs of a wide list do not touch: the thin one is what makes the contact loop short. */
+/* Two skins. `near` holds every pair closer than the wide skin at the last search; while disks have not moved too far
+ * since, it still holds every pair closer than the thin skin, and the list of the step is pruned from it. The list
+ * stays complete until a disk has moved too far for the thin skin (tr_step_advance watches that). The stretch of the
+ * whole sample is subtracted: stretch.h. In a sheared sample 40 % of the pairs of a wide list do not touch: the thin
+ * one makes the contact loop short. */
 #include "core/contacts.h"
 #include "base/math.h"
 
@@ -67,7 +68,7 @@ static void name_contact(const tr_world *world, bool walls, int a, int b, char *
     snprintf(text, size, format, a, b);
 }
 
-/* A biaxial test, whose disks are in a box or a cell, knows better what would have held. */
+/* For a biaxial test biaxial.c knows better which value would hold. */
 static bool fail_crushed(tr_world *world, bool walls, int a, int b, double delta, double R, tr_status *st) {
     char which[96], what[160], hint[200] = "";
     world->crush = (tr_crush){true, walls, a, b, delta};
@@ -83,7 +84,7 @@ static double wall_overlap(const tr_world *world, int wall, int i) {
     return pos[3] - tr_wall_distance(&world->wall[wall], pos);
 }
 
-/* Every disk and wall is looked at: n_walls n, at refreshes only. */
+/* Tests every disk with every wall, only at refreshes. */
 static bool check_walls(tr_world *world, tr_status *st) {
     for (int w = 0; w < world->n_walls; w++)
         for (int i = world->n_rings; i < world->disks.n; i++) {
@@ -173,7 +174,7 @@ static void put(void *context, int k) {
     }
 }
 
-/* What is too deep is found before anything of the list changes. */
+/* Overlaps that are too large are found before the list changes. */
 static bool pick_disks(pruning *p, tr_status *st) {
     tr_world *world = p->world;
     const tr_pairs *near = &world->near;
@@ -191,7 +192,7 @@ static bool pick_disks(pruning *p, tr_status *st) {
     return fail_crushed(world, false, a, b, delta, fmin(one[3], two[3]), st);
 }
 
-/* Each thread lists what it has picked, behind those before it. */
+/* Each thread lists its pairs, after those of earlier threads. */
 static bool list_disks(pruning *p, tr_status *st) {
     tr_group *g = &p->world->group[0];
     int n = 0;
@@ -227,7 +228,7 @@ static bool check_step(tr_world *world, tr_status *st) {
     return fail_at(world, st, what, which);
 }
 
-/* A disk that leaps in one step could pass through another one unseen. */
+/* A disk that moves too far in one step could pass through another one. */
 static bool check_leap(const tr_world *world, tr_status *st) {
     for (int i = 0; i < world->disks.n; i++) {
         const double *v = world->disks.vel + 4 * (size_t)i;

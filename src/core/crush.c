@@ -34,7 +34,7 @@ static bool wall_moves(const tr_wall *w) {
     return w->vx != 0 || w->vy != 0;
 }
 
-/* Whether a given motion may bring energy into the scene. */
+/* Whether a prescribed motion may bring energy into the scene. */
 static bool is_driven(const tr_world *w) {
     bool driven = false;
     for (size_t i = 0; i < (size_t)w->disks.n; i++)
@@ -72,8 +72,8 @@ void tr_crush_say(const tr_world *world, const tr_crush *crush, char *text, size
         snprintf(text, size, "; the scene starts so: place them further apart");
         return;
     }
-    /* What this contact has taken up, and all that may still come to it, from other contacts too. Half as much again for what
-     * the dashpot has taken. */
+    /* The energy in this contact, and all that may still reach it, also from other contacts. Times 1.5, for the energy
+     * that the dashpot has taken. */
     double energy = normal->law->elastic(normal->par, R1, R2, crush->delta).energy + kinetic_energy(world);
     tr_crush_limit limit = tr_crush_find(normal, world->shape, R1, R2, 0, 1.5 * energy);
     if (!limit.key) return;

@@ -5,18 +5,18 @@
 #include "core/resolution.h"
 #include <math.h>
 
-/* |log| of what is given over what would fit: half as stiff is as far off as twice as stiff. Infinite where nothing fits. */
+/* |log| of the given over the fitting value: half as stiff counts like twice as stiff. Infinite if nothing fits. */
 static double misfit(const tr_fit *fit) {
     return fabs(tr_log(fit->k / fit->fits));
 }
 
-/* What the laws have of one contact; of E_star and depth else what is given. */
+/* Parameters of the laws for one contact; else the given E_star and depth. */
 typedef struct contact {
     const char *key; /* of k */
     double k, E_star, depth;
 } contact;
 
-/* False: nothing can contradict, for something of it is not given, or there is no friction. */
+/* False: no contradiction is possible, because a value is not given, or there is no friction. */
 static bool given(const tr_scene_contact *laws, double E_star, double d, contact *c) {
     const tr_law *normal = tr_laws_normal[laws->normal.law], *friction = tr_laws_friction[laws->friction.law];
     const double *of_normal = laws->normal.par, *of_friction = laws->friction.par,

@@ -7,7 +7,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Histories. TOUCHED: 1 as long as the contact has touched since the interval began. RUN: signed; BACK: how far it has rolled back. */
+/* Histories. TOUCHED: 1 as long as the contact has touched since the interval began. RUN: signed; BACK: how far it has
+ * rolled back. */
 enum { SLIDE, ROLL, CREEP, TOUCHED, RUN, BACK, N_HIST };
 static const double TURN = 0.1, PER_DECADE = 20; /* [a]; bins */
 
@@ -96,7 +97,7 @@ static tr_spread spread(const double *part, const double *slide, const double *t
                        r.mean / kept};
 }
 
-/* Half of what is in the bins lies above it [a]. */
+/* Half of the content of the bins is above it [a]. */
 static double middle(const double *bin) {
     double sum = 0, below = 0;
     for (int k = 0; k < TR_RUN_BINS; k++) sum += bin[k];

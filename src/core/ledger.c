@@ -6,8 +6,8 @@
 #include <math.h>
 #include <string.h>
 
-/* What a contact remembers of the step before, one block for each law that is there. Of a rolling law more where
- * it also has a force, or where its two moments are not opposite. */
+/* What a contact remembers of the step before: one block for each law. A rolling law has more if it also has a force,
+ * or if its two moments are not opposite. */
 enum { F_D, DELTA, N_NORMAL };
 enum { FORCE, STORED, N_SPRING }; /* of friction Q, of rolling the moment on 2 */
 
@@ -15,7 +15,7 @@ static int more_of_rolling(const tr_law *law) {
     return !!(law->needs & TR_GIVES_F_R) + !(law->claims & TR_BALANCED);
 }
 
-/* Where the block of a slot begins; of TR_N_SLOTS: where all of them end. */
+/* The start of the block of a slot; for TR_N_SLOTS: the end of all blocks. */
 static int block(const tr_group *g, int slot) {
     const tr_law *rolling = g->slot[TR_ROLLING].law;
     int at = g->ledger_sink.hist;
@@ -32,9 +32,8 @@ static inline double cut(double value, double bound) {
 
 typedef int64_t quad_mask __attribute__((vector_size(32)));
 
-/* Books what the contacts of a tile lost: the sum, and that of what is below zero apart. Eight partial sums, so
- * that adding up is not a chain of waits; always the same eight. As vectors: of plain sums gcc makes
- * permutations. */
+/* Adds the losses of the contacts of a tile: the sum, and separately the sum of negative ones. Eight partial sums,
+ * always the same, so that additions do not wait for each other. As vectors: from plain sums gcc makes permutations. */
 TR_VECTOR static void book(int n, tr_lane lost, double *net, double *made) {
     for (int i = n; i % 8; i++) lost[i] = 0; /* behind the last contact */
     const tr_quad *x = (const tr_quad *)lost;
@@ -50,7 +49,8 @@ TR_VECTOR static void book(int n, tr_lane lost, double *net, double *made) {
     *made -= (q[0] + q[1]) + (q[2] + q[3]);
 }
 
-/* The work done on a contact over the step: mean of the force before, cut to the bound, and now, times velocity. */
+/* The work done on a contact over the step: mean of the force before (cut to the bound) and the force now, times
+ * velocity. */
 static inline double work(double before, double now, double bound, double velocity, double dt) {
     return 0.5 * (cut(before, bound) + now) * velocity * dt;
 }
@@ -64,7 +64,7 @@ TR_VECTOR static void account_work(int n, double dt, const double *restrict forc
     }
 }
 
-/* A spring: what went into the store is not lost. */
+/* A spring: stored energy is not lost. */
 TR_VECTOR static void account_spring(int n, double dt, const double *restrict force, const double *restrict velocity,
                                      const double *restrict bound, const double *restrict energy,
                                      double *restrict before, double *restrict stored, double *restrict lost) {
@@ -127,9 +127,9 @@ static void account_rolling(tr_group *g, const tr_tile *tile, const double *ener
 }
 
 /* Why friction is never below zero. Let q = Q before, s = cut(q), c = the bound, du = Vs dt, sliding with Q = +c, so
- * k du >= c - q. Work - store = ½(s + c) du - (c² - q²)/2k >= [(s + c)(c - q) - (c - q)(c + q)]/2k = (c - q)(s - q)/2k.
- * For |q| <= c s = q: zero. For q > c, s = c: (c - q)²/2k. For q < -c, s = -c: (c - q)(-c - q)/2k > 0. Sticking: (Q -
- * q)(s - q)/2k, same cases. */
+ * k du >= c - q. Work - store = ½(s + c) du - (c² - q²)/2k >= [(s + c)(c - q) - (c - q)(c + q)]/2k = (c - q)(s -
+ * q)/2k. For |q| <= c s = q: zero. For q > c, s = c: (c - q)²/2k. For q < -c, s = -c: (c - q)(-c - q)/2k > 0.
+ * Sticking: (Q - q)(s - q)/2k, same cases. */
 static void step(tr_tile *restrict tile, const tr_law_data *restrict data) {
     const tr_sink *sink = data->par;
     tr_group *g = sink->group;

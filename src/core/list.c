@@ -6,10 +6,10 @@
 #include "core/cell.h"
 #include <string.h>
 
-enum { BEHIND = 3 }; /* gather reads four contacts at a time: valid ids behind the end of the list */
+enum { BEHIND = 3 }; /* gather reads four contacts at a time: valid ids after the end of the list */
 
 bool tr_list_reserve(tr_group *g, int n, tr_status *st) {
-    bool whole = !g->n_hist || g->hist[g->n_hist - 1]; /* a sink may have come since */
+    bool whole = !g->n_hist || g->hist[g->n_hist - 1]; /* a sink may have been added since */
     if (whole && n + BEHIND <= g->capacity) return true;
     size_t now = (size_t)g->n, old = (size_t)g->old_n, both = now > old ? now : old;
     size_t grown = (size_t)n + (size_t)n / 4 + TR_TILE;
@@ -36,7 +36,7 @@ void tr_list_begin(tr_group *g) {
     g->n = 0;
 }
 
-/* What threads share: each has a range of the new list. */
+/* Data of the threads: each has a range of the new list. */
 typedef struct renewal {
     const tr_world *world;
     tr_group *g;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a sample is like, as numbers of the field. */
+/* Measures of a sample, as used in the field. */
 #ifndef TR_MEASURES_H
 #define TR_MEASURES_H
 

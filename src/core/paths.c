@@ -90,6 +90,6 @@ void tr_paths_attach(tr_world *world, tr_paths *paths) {
 
 tr_path_point tr_paths_take(tr_paths *paths, int k) {
     tr_path_point point = paths->now[k];
-    paths->now[k].P = paths->now[k].Q = 0; /* a contact that leaves the list is not seen again */
+    paths->now[k].P = paths->now[k].Q = 0; /* a contact that leaves the list does not come back */
     return point;
 }

@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: MIT */
-/* A sink that follows chosen contacts wherever they stand in the list: the path that drives their laws,
+/* A sink that follows chosen contacts, at any place in the list: the path that drives their laws,
  *
  *   u_slide += Vs dt,   u_roll += -(s1 + s2)/2 dt    while they touch
  *
- * with the Vs, s1, s2 and dt that the laws had, and the P that the friction law had: f_n, or its elastic part if a dashpot carries
- * no friction (laws on the bed, laws/bed.h). So kind: contact gives the same friction along it.
+ * with the Vs, s1, s2 and dt that the laws had, and the P that the friction law had: f_n, or its elastic part if a
+ * dashpot carries no friction (laws on the bed, laws/bed.h). So kind: contact gives the same friction along this path.
  *
- * Or all contacts, each for itself: then sums and state are histories of the group, which follow the contact and are in its
- * checkpoints. A life of a contact is from where it touches to where it opens; lives are numbered from 1 as they begin. */
+ * Or all contacts: then sums and state are histories of the group, which follow the contact and are in its checkpoints.
+ * A life of a contact lasts from touching to opening; lives are numbered from 1 as they begin. */
 #ifndef TR_CORE_PATHS_H
 #define TR_CORE_PATHS_H
 
 #include "core/world.h"
 
 typedef struct tr_path_point {
-    double u_slide, u_roll; /* [m] since the sink was attached; they stand still while the contact is open */
+    double u_slide, u_roll; /* [m] since the sink was attached; they do not change while the contact is open */
     double P, Q;            /* [N/m]; 0 while it is open */
 } tr_path_point;
 
@@ -25,7 +25,7 @@ struct tr_paths {
     int64_t lives, taken; /* of all: begun so far; of them read at least once */
 };
 
-/* A touching contact, and how far it has slid and rolled since it was last read, or since it touched. */
+/* A touching contact, and how far it has slid and rolled since the last read, or since it touched. */
 typedef struct tr_path_life {
     int a, b; /* disks; a = -1-w for wall w */
     double life, R1, R2;
@@ -33,7 +33,7 @@ typedef struct tr_path_life {
     double x, y;                   /* branch: from the centre of a, from the foot at a wall, to the centre of b [m] */
 } tr_path_life;
 
-/* Follows paths->picks, and all if it is set, from here on; *paths must outlive the world's laws. Call it after the laws are set. */
+/* Follows paths->picks, and all if it is set; *paths must outlive the world's laws. Call it after the laws are set. */
 void tr_paths_attach(tr_world *world, tr_paths *paths);
 
 /* After every tr_step_forces: the state of contact k. */

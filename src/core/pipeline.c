@@ -13,8 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of the mean diameter; the speed is flat around these. Overlaps are looked at when a body has moved half the thin
- * skin: it must be no thicker than what the smallest disk may overlap. */
+/* Of the mean diameter; the speed is flat around these. Overlaps are checked when a body has moved half the thin skin,
+ * so the skin must not be thicker than the allowed overlap of the smallest disk. */
 static const double WIDE_SKIN = 0.30, THIN_SKIN = 0.025;
 
 static void group_take(tr_group *g, int which, const tr_law *law, const tr_scene_law *chosen) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The choice of the passes and sinks that a scene asks for. */
+/* The choice of the passes and sinks that a scene needs. */
 #ifndef TR_PIPELINE_H
 #define TR_PIPELINE_H
 

@@ -15,7 +15,7 @@ typedef struct collector {
     tr_status *st;
 } collector;
 
-/* bound: as it was where there is no law. */
+/* bound: unchanged without a law. */
 static void bounds(const tr_group *g, const tr_slot *slot, const tr_tile *tile, tr_lane bound) {
     tr_lane energy;
     tr_law_data data = tr_group_data(g, slot);
@@ -80,8 +80,8 @@ static void collect(void *context, tr_group *g, tr_tile *tile) {
     c->n += n;
 }
 
-/* The pipelines walk again with dt = 0 and without sinks, which changes no history. Spins are gathered even where no
- * law needs them, so sliding and rolling velocities are there for frictionless scenes too. */
+/* The pipelines walk again with dt = 0 and without sinks, which changes no history. Spins are gathered even if no law
+ * needs them, so frictionless scenes also have sliding and rolling velocities. */
 int tr_record_all(tr_world *world, tr_record **records, int *capacity, tr_status *st) {
     collector c = {world, records, 0, capacity, st};
     for (int k = 0; k < world->n_groups; k++) {

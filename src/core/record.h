@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* One touching contact in plain words: what contacts.csv lists and frames draw. Read from finished tiles. */
+/* One touching contact, for contacts.csv and frames. Read from finished tiles. */
 #ifndef TR_RECORD_H
 #define TR_RECORD_H
 

@@ -17,8 +17,8 @@ static bool is_free(const tr_world *w, int i) {
     return w->disks.inv[4 * (size_t)i] > 0;
 }
 
-/* How long the run is [s]; gravity, and what of it leads away: walls take their normal part, and where disks are held
- * it is they that carry [m/s^2]. */
+/* Duration of the run [s]; gravity, and its part along which bodies may fall: walls take the normal part, and held
+ * disks carry [m/s^2]. */
 typedef struct run {
     const tr_bodies *b;
     double T, gravity, fall[2];
@@ -40,7 +40,7 @@ static run run_of(const tr_bodies *b, bool start) {
     return r;
 }
 
-/* The largest |x| and |y| that disk i may come to. A spin may turn into a velocity along a wall. */
+/* The largest |x| and |y| that disk i may reach. A spin may turn into a velocity along a wall. */
 static void disk_reach(const run *r, int i, double reach[2]) {
     const tr_world *w = &r->b->world;
     const tr_scene_disk *d = &r->b->scene->disks[i];
@@ -62,7 +62,7 @@ static void wall_reach(const run *r, int wall, double reach[2]) {
     reach[0] = fabs(w->x) + fabs(w->vx) * r->T, reach[1] = fabs(w->y) + fabs(w->vy) * r->T;
 }
 
-/* Two bodies, a < 0: wall -1-a; and what is known of their contact. */
+/* Two bodies (a < 0: wall -1-a) and the known data of their contact. */
 typedef struct pair {
     int a, b;
     double R1, R2, gap, velocity; /* relative [m/s] */
@@ -111,7 +111,7 @@ static bool loads(const run *r, const pair *p, double *weight, double *energy) {
     return p->gap <= v * r->T + 0.5 * g * r->T * r->T;
 }
 
-/* Whether the pair gets to an overlap as large as that. */
+/* Whether the pair reaches this overlap. */
 static bool gets_to(const tr_bodies *b, const pair *p, double overlap, double weight, double energy) {
     const tr_slot *normal = &tr_world_group(&b->world, p->a)->slot[TR_NORMAL];
     if (p->gap <= -overlap) return true;
@@ -122,7 +122,7 @@ static bool gets_to(const tr_bodies *b, const pair *p, double overlap, double we
     return (weight > 0 && e.force <= weight) || (energy > 0 && e.energy <= energy);
 }
 
-/* The largest overlap that it gets to, by halves of its logarithm. */
+/* The largest overlap that it reaches, by bisection of its logarithm. */
 static double expected(const tr_bodies *b, const pair *p, double weight, double energy) {
     double low = tr_log(1e-30 * smaller(p)), high = tr_log(TR_LARGEST_OVERLAP * smaller(p));
     if (gets_to(b, p, tr_exp(high), weight, energy)) return tr_exp(high);

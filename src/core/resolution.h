@@ -2,19 +2,20 @@
 /* Whether places can carry the overlaps of a scene: kind `bodies`, before the run.
  *
  * An overlap is a small difference of places, and neighbouring doubles are 2^-52 of a place apart: at 1e5 m 1.5e-11 m,
- * a thousandth of the overlap of disks of 1 um that meet with 0.2 m/s. Places count as far as the run may lead, by
- * velocities and by gravity along walls. The overlap to expect of a pair is the largest of that at the start, that
- * under the weight of one, and that of a blow with the relative velocity; where none of these is known,
- * TR_EXPECTED_OVERLAP of the smaller radius. Pairs too far apart to meet do not count.
+ * a thousandth of the overlap of disks of 1 um that meet with 0.2 m/s. All places that the run may reach count, by
+ * velocities and by gravity along walls. The expected overlap of a pair is the largest of three: at the start, under
+ * the weight of one, and in a blow with the relative velocity. If none of these is known, TR_EXPECTED_OVERLAP of the
+ * smaller radius. Pairs too far apart to meet do not count.
  *
- * A velocity has the same limit: what it moves a body in a step is rounded to these places, each time alike. */
+ * A velocity has the same limit: the way of a body in a step is rounded to these places, each time in the same
+ * direction. */
 #ifndef TR_RESOLUTION_H
 #define TR_RESOLUTION_H
 
 #include "core/biaxial.h"
 #include "core/bodies_state.h"
 
-#define TR_RESOLVED 1e-6 /* of an overlap, of the way of a step: what rounding may take */
+#define TR_RESOLVED 1e-6 /* of an overlap or of the way of a step: allowed rounding */
 
 typedef struct tr_resolution {
     int a, b;       /* as in tr_scene_pick: two disks, or wall -1-a and disk b */
@@ -24,20 +25,20 @@ typedef struct tr_resolution {
     int more;       /* further such pairs, further such bodies */
 } tr_resolution;
 
-/* The pair whose overlap is carried worst, if it is not to TR_RESOLVED. False: all are. */
+/* The pair with the worst rounding of its overlap, if above TR_RESOLVED. False: none is. */
 bool tr_resolution_overlap(const tr_bodies *b, tr_resolution *worst);
 
-/* The body, disk b or wall -1-b, whose velocity moves it worst. False: all are moved to TR_RESOLVED. */
+/* The body, disk b or wall -1-b, with the worst rounding of its way. False: none is above TR_RESOLVED. */
 bool tr_resolution_way(const tr_bodies *b, tr_resolution *worst);
 
-/* Of a biaxial test: the overlap of two mean disks under the smaller pressure, in a box as large as it was thrown. */
+/* Of a biaxial test: the overlap of two mean disks under the smaller pressure, in the box of the loose sample. */
 bool tr_resolution_biaxial(const tr_biaxial *b, tr_resolution *found);
 
-/* The force of the overlap to expect of a pair [N/m], spheres [N]; 0: nothing tells it, or they do not meet. */
+/* The force of the expected overlap of a pair [N/m], spheres [N]; 0: not known, or they do not meet. */
 double tr_resolution_force(const tr_bodies *b, int a, int disk);
 
-/* TR_BAD_CASE: at the start already, two bodies are so far out that the largest overlap a contact may have is not
- * carried to 1 %. */
+/* TR_BAD_CASE: already at the start, two bodies are so far out that double precision does not carry the largest allowed
+ * overlap to 1 %. */
 bool tr_resolution_check(const tr_bodies *b, tr_status *st);
 
 #endif

@@ -7,11 +7,11 @@
 #include <stdlib.h>
 
 static const double LOOSE_FRACTION =
-    0.4; /* random sequential addition jams near 0.55; here a throw succeeds after a few tries */
+    0.4; /* random sequential addition jams near 0.55; at this density a try succeeds soon */
 
 enum { IN_CACHE = 2000 }; /* disks: so many are near in memory whatever their numbers */
 
-/* Cells as wide as the largest disk, each the head of a chain of disks: neighbours are in the 3 x 3 cells around. */
+/* Cells as wide as the largest disk, each with a chain of disks: neighbours are in the 3 x 3 cells around. */
 typedef struct grid {
     int cells, *head, *next;
     double width, side; /* side: of a periodic box, else 0 */
@@ -38,8 +38,8 @@ static bool is_free(const grid *g, const double *pos, double x, double y, double
     return true;
 }
 
-/* How far along Hilbert's curve through a square of 2^16 x 2^16 cells the cell (x, y) is [Hilbert1891]: quarter by quarter,
- * the first and the last one turned about their diagonals. */
+/* The position of the cell (x, y) along Hilbert's curve through a square of 2^16 x 2^16 cells [Hilbert1891]: quarter by
+ * quarter, the first and the last one turned about their diagonals. */
 static uint32_t along_curve(uint32_t x, uint32_t y) {
     uint32_t key = 0;
     for (uint32_t half = 1u << 15; half; half >>= 1) {
@@ -79,8 +79,8 @@ bool tr_sample_number(tr_world *world, const double *pos, double side, double de
     return order != NULL;
 }
 
-/* Disk after disk to the first place that is free. false: one has found none, which is luck where disks are few: two that lie
- * badly can leave no room for a third. In a box that is wide enough there always is room. */
+/* Puts each disk in the first free random place. False: one found none; with few disks this is chance, because two can
+ * leave no room for a third. A box that is wide enough always has room. */
 static bool fill(grid *g, double *pos, int n, double L, tr_random *random) {
     enum { MOST_TRIES = 10000000 };
     for (int c = 0; c < g->cells * g->cells; c++) g->head[c] = -1;

@@ -20,7 +20,7 @@ static int end_of(const tr_group *g, int tile) {
     return end < g->n ? end : g->n;
 }
 
-/* The parts that come late are counted, and there is room for them before a step needs it. */
+/* Late parts are counted, and room for them is made before a step needs it. */
 static bool mark(tr_shares *s, const tr_group *g, int k, tr_status *st) {
     part *p = &s->part[k];
     int n = 0;
@@ -100,7 +100,7 @@ static void run_passes(tr_world *world, tr_tile *tile, int first, sums *to) {
                  .mixed = to->mixed};
 }
 
-/* As tr_tile_scatter, with what belongs to an earlier thread kept. */
+/* Like tr_tile_scatter, but parts for disks of an earlier thread are kept. */
 static void scatter_mixed(tr_world *world, part *p, int k) {
     const tr_group *g = &world->group[0];
     const tr_tile *tile = &p->tile;

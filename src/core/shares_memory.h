@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What threads hold while they share the forces of a step; see shares.h. */
+/* The data of the threads during the forces of a step; see shares.h. */
 #ifndef TR_SHARES_MEMORY_H
 #define TR_SHARES_MEMORY_H
 
@@ -7,7 +7,7 @@
 #include "laws/law.h"
 #include <stdint.h>
 
-/* What a tile adds to the sums over all. */
+/* The part of a tile in the sums over all. */
 typedef struct tr_share_sums {
     double virial[2], lost[3], made[TR_N_SLOTS]; /* lost, made: of the ledger */
     int touching;
@@ -31,7 +31,7 @@ typedef struct tr_shares {
     int64_t list;        /* and the number of the list */
     uint16_t *owner;     /* of each disk the first thread that has a contact of it */
     tr_share_sums *sums; /* of each tile */
-    int n_sums;          /* how many there is room for */
+    int n_sums;          /* room */
     tr_share_part *part; /* of each thread */
     double dt;           /* of this step */
 } tr_shares;

@@ -20,7 +20,7 @@ static void run_passes(tr_world *world, tr_group *g, int first, double dt) {
 }
 
 void tr_step_walk(tr_world *world, tr_group *g, double dt, void (*done)(void *, tr_group *, tr_tile *), void *context) {
-    /* Lanes that this pipeline does not write may hold those of the other group. */
+    /* Lanes that this pipeline does not write may have values of the other group. */
     tr_tile *tile = world->tile;
     if (!g->slot[TR_FRICTION].law->step) memset(tile->f_t, 0, sizeof tile->f_t);
     if (!g->slot[TR_ROLLING].law->step) memset(tile->m1, 0, sizeof tile->m1), memset(tile->m2, 0, sizeof tile->m2);
@@ -68,7 +68,7 @@ TR_VECTOR static void kick_and_drift(int lanes, double dt, double *restrict pos,
     }
 }
 
-/* How many centres are further than `reach` from where the stretch leads; NaN counts as gone. */
+/* The number of centres further than `reach` from their stretched place; NaN counts as one. */
 TR_VECTOR static int count_moved(int n, double reach, const tr_stretch *s, const double *restrict pos,
                                  const double *restrict ref) {
     const double sx = s->scale[0], sy = s->scale[1], ox = s->offset[0], oy = s->offset[1];
@@ -106,7 +106,7 @@ typedef struct motion {
     tr_stretch stretch;
 } motion;
 
-/* Block by block, so that a disk is still near when it is looked at. */
+/* In blocks, so that a disk is still in the cache when it is checked. */
 static void advance_disks(void *context, int k) {
     enum { BLOCK = 256 };
     const motion *m = context;

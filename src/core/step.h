@@ -6,16 +6,16 @@
 #include "core/world.h"
 
 /* Forces on disks and walls at the present positions: renews the list when it is stale, then runs the pipelines.
- * Histories move on by dt, except at the first call after the laws were set. Fails with TR_NUMERICAL (see contacts.h);
+ * Histories advance by dt, except at the first call after the laws were set. Fails with TR_NUMERICAL (see contacts.h);
  * the state stays readable. */
 bool tr_step_forces(tr_world *world, tr_status *st);
 
-/* Kick and drift: v += dt F/m, x += dt v, for disks and pistons. The forces on disks are then 0: they are there from tr_step_forces
- * to here. */
+/* Kick and drift: v += dt F/m, x += dt v, for disks and pistons. The forces on disks are then 0: they are valid from
+ * tr_step_forces to here. */
 void tr_step_advance(tr_world *world);
 
-/* Runs the pipeline of a group over all tiles; after each tile, done(context, group, tile). For sinks that look now and
- * then: with dt = 0 a second walk changes no history and gives the same forces. */
+/* Runs the pipeline of a group over all tiles; after each tile, done(context, group, tile). For sinks that read only
+ * sometimes: with dt = 0 a second walk changes no history and gives the same forces. */
 void tr_step_walk(tr_world *world, tr_group *group, double dt, void (*done)(void *, tr_group *, tr_tile *),
                   void *context);
 

@@ -5,10 +5,10 @@
 #include "core/wall.h"
 #include <math.h>
 
-/* Of the smaller radius. Overlaps below are of rounding: 30 mm - 20 mm - 10 mm is 3e-18 m. Gaps below are of rounded
- * numbers: three disks in a ring have sqrt(3) in their places, which a case has to four digits. */
+/* Of the smaller radius. Smaller overlaps come from rounding: 30 mm - 20 mm - 10 mm is 3e-18 m. Smaller gaps come from
+ * rounded numbers: three disks in a ring have sqrt(3) in their places, with four digits in a case. */
 static const double ROUNDED = 1e-9, WRITTEN = 1e-3;
-static const double SMALL = 1e-6;  /* of a speed: the direction of a place has been rounded */
+static const double SMALL = 1e-6;  /* of a speed: allowance for the rounded direction of a place */
 static const double LITTLE = 0.01; /* of the overlap that a weight needs */
 
 /* Two bodies at the start: body 1 is a disk or a wall, the normal is from 1 to 2. */
@@ -41,7 +41,7 @@ static bool may_turn(const tr_world *w, int i) {
     return i >= 0 && w->disks.inv[4 * (size_t)i + 2] > 0;
 }
 
-/* Whether something below keeps disk i from falling: another disk or a wall as near as a contact. */
+/* Whether a disk or a wall below, as near as a contact, keeps disk i from falling. */
 static bool is_carried(const tr_world *w, int i, const double g[2]) {
     for (int a = -w->n_walls; a < w->disks.n && i >= w->n_rings; a++) {
         if (a == i) continue;
@@ -51,8 +51,7 @@ static bool is_carried(const tr_world *w, int i, const double g[2]) {
     return false;
 }
 
-/* What presses the two together of the weight of the one that lies on the other [N/m]. What falls itself carries
- * nothing. */
+/* The part of the weight of the upper body that presses the two together [N/m]. A falling body carries nothing. */
 static double weight_on(const tr_bodies *b, const pair *p) {
     const tr_world *w = &b->world;
     double g[2];
@@ -65,7 +64,7 @@ static double weight_on(const tr_bodies *b, const pair *p) {
     return fabs(along) / w->disks.inv[4 * (size_t)upper];
 }
 
-/* How the two move past each other, spins of 1 and 2 behind. */
+/* The relative motion of the two, then the spins of 1 and 2. */
 static void motion_of(const tr_bodies *b, const pair *p, double *across, double *along, double spin[2]) {
     double v1[3], v2[3];
     tr_bodies_velocity(&b->world, p->b, v2);
@@ -80,7 +79,7 @@ static void motion_of(const tr_bodies *b, const pair *p, double *across, double 
     spin[0] = v1[2], spin[1] = v2[2];
 }
 
-/* What is to be done about it: which disk to move along the normal, and where to. */
+/* The advice: the disk to move along the normal, and its place. */
 static tr_tangent describe(const tr_bodies *b, const pair *p, double weight) {
     const tr_world *w = &b->world;
     const tr_slot *normal = &tr_world_group(w, p->a)->slot[TR_NORMAL];
@@ -109,7 +108,7 @@ static bool is_tangent(const tr_bodies *b, const pair *p, double *weight) {
         const tr_slot *normal = &tr_world_group(w, p->a)->slot[TR_NORMAL];
         double needs = normal->law->overlap(normal->par, p->R1, p->R2, *weight);
         return p->gap > -LITTLE * needs &&
-               p->gap < fmax(needs, ROUNDED * R); /* to fall from no higher than that is not meant */
+               p->gap < fmax(needs, ROUNDED * R); /* a fall from at most this height is not intended */
     }
     bool held = !is_free(w, p->a) && !is_free(w, p->b), turned = may_turn(w, p->a) || may_turn(w, p->b);
     return p->gap > -ROUNDED * R && (across != 0 || spin[0] != 0 || spin[1] != 0 || (held && turned));

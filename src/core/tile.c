@@ -7,9 +7,9 @@
 #include <string.h>
 
 /* ---- gather: from the bodies to the tile ---- */
-/* Four contacts at a time: loads of 32 bytes, of which differences are taken before they are turned in registers into lanes, stored
- * as whole vectors. Against one number at a time the whole step gains 15 % (`trundle bench`). It may read up to three
- * contacts behind the end of the list; see list.c. */
+/* Four contacts at a time: loads of 32 bytes. Differences are taken first; then registers are transposed into lanes and
+ * stored as whole vectors. Compared with one number at a time, the whole step gains 15 % (`trundle bench`). It may read
+ * up to three contacts after the end of the list; see list.c. */
 
 /* Two numbers of four quads, each as a vector. */
 typedef struct lanes {
@@ -46,7 +46,7 @@ TR_VECTOR static void gather_disks(tr_tile *restrict tile, const tr_group *g, co
     }
 }
 
-/* A tile's contacts with one wall lie side by side: those from i to before the end that is returned. */
+/* A tile's contacts with one wall are consecutive: from i to before the returned end. */
 static int same_wall(const tr_tile *tile, const tr_group *g, int i) {
     const int *a = g->a + tile->first;
     int end = i + 1;
@@ -88,7 +88,7 @@ static void gather_edges(tr_tile *tile, const tr_group *g, const tr_world *world
 }
 
 /* ---- scatter: from the tile to the bodies ---- */
-/* The force of a body is the sum over its contacts in the order of the list, whoever adds it up. */
+/* The force of a body is the sum over its contacts in the order of the list, in any thread. */
 
 TR_VECTOR static void scatter_disks(const tr_tile *restrict tile, const tr_group *g, const tr_disks *d) {
     const int *restrict a = g->a + tile->first, *restrict b = g->b + tile->first;

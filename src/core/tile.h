@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The way of a contact between the bodies, of which each is in one place, and a tile, in whose lanes contacts lie side by side. */
+/* Gather and scatter: between the bodies, each in one place, and a tile, whose lanes have contacts side by side. */
 #ifndef TR_TILE_H
 #define TR_TILE_H
 
 #include "core/world.h"
 
-/* Contacts of the group from `first` on, as many as a tile holds: their relative motion and what kinematics needs. */
+/* Contacts of the group from `first`, one tile: their relative motion and the input of kinematics. */
 void tr_tile_gather(const tr_world *world, const tr_group *group, tr_tile *tile, int first, double dt);
 
 /* The forces on disks before any contact: their loads. */

@@ -7,18 +7,18 @@
 #include <math.h>
 #include <string.h>
 
-/* Inverse of the share of a body's mass and inertia that one contact gets. */
+/* Inverse of the part of a body's mass and inertia for one contact. */
 typedef struct share {
     double inv_m, inv_I;
 } share;
 
-/* The largest stable step of what has no more than the stiffness w2 and the damping g per mass: dt^2 w2 + 2 dt g = 4, written so
- * that nothing cancels. Infinite where it has neither. */
+/* The largest stable step with at most the stiffness w2 and the damping g per mass: dt^2 w2 + 2 dt g = 4, written
+ * without cancellation. Infinite without both. */
 static double mode_limit(double w2, double g) {
     return 4 / (g + sqrt(g * g + 4 * w2));
 }
 
-/* Sliding and rolling: their inverse masses, and what couples them. */
+/* Sliding and rolling: their inverse masses, and their coupling. */
 typedef struct tangential {
     double slide, roll, mixed;
 } tangential;
@@ -29,9 +29,9 @@ static double larger(const tangential *t, double f, double r) {
     return 0.5 * (p + q + sqrt((p - q) * (p - q) + 4 * both * both));
 }
 
-/* The cases of a rolling velocity: its partial derivatives at one direction of (s1, s2) within each half quadrant. That
- * finds all cases that change where a rim stops or where both run alike. Returns how many; neighbours that are the same
- * count once. */
+/* The cases of a rolling velocity: its partial derivatives at one direction of (s1, s2) within each half quadrant. This
+ * finds all cases that change where a rim stops or where both run equally. Returns the number; equal neighbours count
+ * once. */
 enum { CASES = 8 };
 static int cases_of(const tr_velocity_measure *definition, const tr_pair_bodies *b, double p1[CASES],
                     double p2[CASES]) {
@@ -67,7 +67,7 @@ static double contact_limit(const tr_group *g, tr_pair_bodies bodies, share one,
     bodies.f_n = there.force, bodies.k_n = there.stiffness;
     tr_stiffness f = {0}, r = {0}, n = spring->law->stiffness(spring->par, &bodies);
     const double s = one.inv_m + two.inv_m;
-    /* What mode_limit says, but for the last bit, which turns every number of a chaotic sample into another. */
+    /* Equal to mode_limit except for the last bit, which would change every number of a chaotic sample. */
     double least = n.k > 0 && s > 0 ? (sqrt(n.c * n.c + 4 * n.k / s) - n.c) / n.k : mode_limit(0, n.c * s);
     if (friction->law->step) f = friction->law->stiffness(friction->par, &bodies);
     double p1[CASES] = {0}, p2[CASES] = {0};
@@ -124,9 +124,10 @@ tr_timestep_limit tr_timestep_contacts(const tr_world *world) {
     return limit;
 }
 
-/* As many contacts as fit around disk i: the smallest disks side by side, and no more bodies than there are. Where overlaps up to q
- * of the smaller radius r are allowed: neighbours are no further away than R + r, their distances from it differ by q r or less, and that
- * between them is 2r - q r or more, so that sin^2 of half the angle between them is ((2-q)^2 - q^2) r^2/(4 (R+r)^2) or more. */
+/* As many contacts as fit around disk i: the smallest disks side by side, and no more bodies than there are. If
+ * overlaps up to q of the smaller radius r are allowed: neighbours are no further away than R + r, their distances from
+ * it differ by q r or less, and that between them is 2r - q r or more, so that sin^2 of half the angle between them is
+ * ((2-q)^2 - q^2) r^2/(4 (R+r)^2) or more. */
 static double most_contacts(const tr_world *world, int i, double r_min, double q) {
     double R = world->disks.pos[4 * (size_t)i + 3];
     if (i < world->n_rings) return world->disks.n - world->n_rings;
@@ -135,10 +136,10 @@ static double most_contacts(const tr_world *world, int i, double r_min, double q
     return fmin(fit, world->disks.n - 1 + world->n_walls);
 }
 
-/* What packings may be like. */
+/* Allowed packings. */
 typedef struct packings {
-    double overlap; /* of the smaller radius, to expect of a contact */
-    double q;       /* the same, at most, for how many contacts fit */
+    double overlap; /* of the smaller radius, expected in a contact */
+    double q;       /* the same, at most, for the number of contacts that fit */
     double r_min;
 } packings;
 
@@ -180,7 +181,7 @@ static double smallest_radius(const tr_world *world, int *smallest, int *largest
     return d->pos[4 * (size_t)*smallest + 3];
 }
 
-/* Of pistons whose length is known: as many contacts as disks of the mean size side by side. */
+/* For pistons with a known length: as many contacts as mean disks fit side by side. */
 static share piston_share(const tr_world *world) {
     share piston = {0, 0};
     double diameters = 0;
@@ -192,7 +193,7 @@ static share piston_share(const tr_world *world) {
     return piston;
 }
 
-/* Each disk is paired with a wall, the smallest and the largest disk, and with all where they are no more than `few`. */
+/* Each disk is paired with a wall, the smallest and the largest disk, and with all disks if there are at most `few`. */
 static double all_limits(const tr_world *world, packings p, int few, share wall) {
     int n = world->disks.n, rings = world->n_rings, smallest, largest;
     double bound = INFINITY;
@@ -213,7 +214,8 @@ double tr_timestep_worst(const tr_world *world) {
     return all_limits(world, (packings){.overlap = TR_EXPECTED_OVERLAP}, 1000, piston_share(world));
 }
 
-/* One density, and all free: of such the smallest and the largest stand for all partners, as in tr_timestep_worst of many. */
+/* If all disks have one density and are free, the smallest and the largest are enough as partners, as in
+ * tr_timestep_worst of many. */
 static bool are_alike(const tr_world *world) {
     const tr_disks *d = &world->disks;
     if (world->n_rings) return false;

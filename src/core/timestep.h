@@ -4,22 +4,23 @@
  * A mode of angular frequency w and damping ratio zeta is stable for dt < (2/w)(sqrt(1+zeta^2) - zeta), the damping
  * force being taken at the half step before. For a whole sample that means dt^2 x'Kx + 2 dt x'Cx <= 4 x'Mx for every
  * motion x. K and C are sums over contacts; share the mass of each body equally among its z contacts and M is one too,
- * so that it is enough that every single contact satisfies the inequality with its two shares m/z, I/z. A single
+ * so it is enough that every single contact satisfies the inequality with its two parts m/z, I/z. A single
  * contact has one normal mode and two tangential ones, known in closed form:
  *
  *   normal     w2 dt^2 + 2 g dt = 4,  w2 = k s, g = c s,  s = z1/m1 + z2/m2
- *   tangential the same, w2 the larger eigenvalue of a 2 x 2 matrix, the stiffnesses of sliding and rolling coupled through
+ *   tangential the same, w2 the larger eigenvalue of a 2 x 2 matrix, the stiffnesses of sliding and rolling coupled
+ *   through
  *              the spins, and g that of their dashpots
  *
- * Dashpots alone: dt < 2/g. Where the tangential modes of w2 and of g are not the same one, their sum is cautious: of one
- * contact 0.618 of the exact bound or more.
+ * Dashpots alone: dt < 2/g. If the tangential modes of w2 and of g differ, their sum is cautious: for one contact 0.618
+ * of the exact bound or more.
  *
- * Stability is meant of a symmetric K. Friction of a contact that slides follows its normal force, and K is not symmetric: such
- * networks may flutter in the exact equations, at any step, and the bound speaks of what the step adds; trundle verify sliding
- * tells the one from the other. Likewise a rolling velocity that is not conjugate to its moments (wang-spring with another one than
- * wang) lets some packings grow at any step; trundle verify not-conjugate says how many. conjugate-spring is symmetric
- * while the case of its rolling velocity lasts: the bound is that of its stiffest case, and does not cover switching
- * between cases.
+ * Stability here means a symmetric K. Friction of a sliding contact follows its normal force, so K is not symmetric:
+ * such networks may flutter in the exact equations, at any step. The bound covers only what the step adds; trundle
+ * verify sliding separates the two. In the same way, a rolling velocity that is not conjugate to its moments
+ * (wang-spring with any but wang) makes some packings grow at any step; trundle verify not-conjugate counts them.
+ * conjugate-spring is symmetric within one case of its rolling velocity: the bound is that of the stiffest case, and
+ * does not cover switching between cases.
  *
  * Never above the exact bound; equal to it on a chain, 0.7-0.9 of it in a packing. Gershgorin's circles, the usual
  * choice, mix units of force and torque and give as little as 0.02.
@@ -29,8 +30,8 @@
 
 #include "core/world.h"
 
-/* Of the smaller radius: for springs that stiffen with the overlap, where no contact is known yet. What overlaps more
- * shows in tr_timestep_contacts, which looks at the overlaps that are. */
+/* Of the smaller radius: for springs that stiffen with the overlap, before contacts are known. tr_timestep_contacts
+ * looks at the real overlaps and finds larger ones. */
 #define TR_EXPECTED_OVERLAP 0.01
 
 typedef struct tr_timestep_limit {
@@ -45,8 +46,8 @@ tr_timestep_limit tr_timestep_contacts(const tr_world *world);
  * (and no more bodies than there are). For choosing dt before the contacts are known [s]. */
 double tr_timestep_worst(const tr_world *world);
 
-/* dt is stable in whatever contacts the disks may have with overlaps up to TR_LARGEST_OVERLAP, and in those that pistons have:
- * nobody needs to look at contacts. */
+/* dt is stable for all possible contacts of the disks with overlaps up to TR_LARGEST_OVERLAP, and for those of pistons:
+ * contacts need no check. */
 bool tr_timestep_sure(tr_world *world);
 
 #define TR_MOST_STEPS 1e12 /* of one run; 1e6 steps take seconds for 400 disks */

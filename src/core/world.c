@@ -83,7 +83,7 @@ void tr_group_attach(tr_group *group, tr_sink *sink, const char *name, tr_pass_r
     group->pass[group->n_pass++] = (tr_pass){.name = name, .run = run, .sink = true, .data.par = sink};
 }
 
-/* Given motion is infinite mass: inv is 0 there. */
+/* A prescribed motion has infinite mass: inv is 0. */
 static void weigh_body(const tr_world *world, int i, double *R, double *m, double *I) {
     const double *inv = world->disks.inv + 4 * (size_t)i;
     *R = world->disks.pos[4 * (size_t)i + 3];

@@ -17,7 +17,7 @@
  * TIME. Leapfrog: at time n*dt positions are x^n and velocities v^(n-1/2). tr_step_forces makes the forces of time n,
  * which is where sinks look; tr_step_advance kicks to v^(n+1/2) and drifts to x^(n+1).
  *
- * PERIODIC CELL. Where there is one, disk b of a pair stands for its nearest image; see cell.h.
+ * PERIODIC CELL. In a cell, disk b of a pair means its nearest image; see cell.h.
  *
  * THREADS share the tiles of a large sample, and no bit depends on their number; see shares.h.
  *
@@ -43,7 +43,7 @@ enum {
     TR_GROUP_PAIR = 5 + 3 * TR_MAX_PAIR /* R1, R2, g1, the image of b in a periodic cell, and the laws of three slots */
 };
 
-#define TR_LARGEST_OVERLAP 0.3 /* of the smaller radius: beyond it no contact law means anything */
+#define TR_LARGEST_OVERLAP 0.3 /* of the smaller radius: beyond it contact laws have no meaning */
 
 typedef struct tr_disks {
     int n;
@@ -60,9 +60,9 @@ typedef struct tr_disks {
 typedef struct tr_wall {
     double x, y, nx, ny; /* [m] */
     double vx, vy;       /* [m/s] */
-    double mass;         /* [kg/m]; 0: the wall moves as it is told; > 0: a piston along its normal */
-    double gain;         /* acceleration along the normal of one that moves as it is told [m/s^2] */
-    double load;         /* what pushes a piston along its normal [N/m] */
+    double mass;         /* [kg/m]; 0: the motion of the wall is prescribed; > 0: a piston along its normal */
+    double gain;         /* acceleration along the normal of a wall with prescribed motion [m/s^2] */
+    double load;         /* force on a piston along its normal [N/m] */
     double v_max;        /* speed limit of a piston [m/s] */
     double fx, fy;       /* force of the disks on the wall [N/m] */
     double length;       /* [m] stress = force/length; 0: endless */
@@ -71,14 +71,14 @@ typedef struct tr_wall {
     double belt;         /* speed of its surface along t [m/s] */
 } tr_wall;
 
-/* A periodic cell, a rectangle about the origin; index 0 along x, 1 along y. Of its pair of edges across an axis what a
- * tr_wall is of one. See cell.h. */
+/* A periodic cell, a rectangle about the origin; index 0 along x, 1 along y. For its pair of edges across an axis it is
+ * like tr_wall for a wall. See cell.h. */
 typedef struct tr_periodic_cell {
     double side[2];   /* [m]; 0: there is no cell */
     double rate[2];   /* d side/dt [m/s] */
-    double mass[2];   /* of the piston [kg/m]; 0: the side changes as it is told */
-    double gain[2];   /* d rate/dt of one that changes as it is told [m/s^2] */
-    double load[2];   /* what pushes the piston inward [N/m] */
+    double mass[2];   /* of the piston [kg/m]; 0: the motion of the side is prescribed */
+    double gain[2];   /* d rate/dt of a side with prescribed motion [m/s^2] */
+    double load[2];   /* force on the piston inward [N/m] */
     double v_max[2];  /* largest |rate| of a piston [m/s] */
     double virial[2]; /* sum over the contacts of force on b times (b - a), compression positive [N] */
 } tr_periodic_cell;
@@ -91,7 +91,7 @@ typedef struct tr_extent {
     double x[2], side[2];
 } tr_extent;
 
-/* A law at work: its row, its parameters, and where its arrays start in the group. law->step == NULL: nothing to do. */
+/* A law of a group: its row, its parameters, and the start of its arrays in the group. law->step == NULL: no work. */
 typedef struct tr_slot {
     const tr_law *law;
     double par[TR_LAW_PAR];
@@ -103,7 +103,7 @@ typedef struct tr_ledger tr_ledger;
 typedef struct tr_paths tr_paths;
 typedef struct tr_shares tr_shares;
 
-/* A sink reads finished tiles, and may keep histories of its own that follow the ids. */
+/* A sink reads finished tiles, and may have its own histories, which follow the ids. */
 typedef struct tr_sink {
     tr_group *group;
     tr_ledger *ledger; /* NULL for other sinks */
@@ -111,7 +111,7 @@ typedef struct tr_sink {
     int hist;          /* the first of its arrays in group->hist */
 } tr_sink;
 
-/* One loop over a tile, and what it sees: arrays of its law, or the tr_sink as data.par. */
+/* One loop over a tile, and its data: arrays of its law, or the tr_sink as data.par. */
 typedef struct tr_pass {
     const char *name;
     tr_pass_run *run;
@@ -140,7 +140,7 @@ struct tr_group {
     const tr_sink *increments_sink;             /* NULL: not attached */
     tr_pass pass[TR_MAX_PASSES];
     int n_pass;
-    /* while a list is renewed, see list.h: the one before, where each contact stood in it (-1: nowhere), an array to spare */
+    /* while a list is renewed, see list.h: the old list, the old place of each contact (-1: none), a spare array */
     int old_n, *old_a, *old_b, *source;
     double *spare;
 };
@@ -154,7 +154,7 @@ struct tr_ledger {
     double wall_fx[TR_MAX_WALLS], wall_fy[TR_MAX_WALLS], cell_force[2]; /* of the step before */
 };
 
-/* A contact that was pressed deeper than any law means: that ends the run. */
+/* A contact that was pressed too deep for any law: this ends the run. */
 typedef struct tr_crush {
     bool found, walls;
     int a, b; /* a: of walls the wall */
@@ -183,30 +183,30 @@ typedef struct tr_world {
     int n_groups;
     tr_ledger *ledger;     /* NULL: not kept */
     tr_tile *tile;         /* one, reused; allocated apart because its lanes are aligned */
-    tr_threads *threads;   /* that share the work; NULL: one does it. See base/threads.h */
-    tr_shares *shares;     /* what they share; NULL: not used yet. See shares.h */
+    tr_threads *threads;   /* threads for the work; NULL: one. See base/threads.h */
+    tr_shares *shares;     /* data of their shares; NULL: not used yet. See shares.h */
     /* pair finding */
     const tr_broad_finder *broad;
     void *finder;
     tr_pairs near;
-    int *picked, picks;          /* which of `near` are listed, while that is found out; how many there is room for */
+    int *picked, picks;          /* the listed ones of `near`, while they are found; room */
     double wide_skin, thin_skin; /* [m] */
     double r_max;                /* the largest radius [m] */
     double *wide_ref, *thin_ref; /* n*2: centres at the last search, at the last refresh [m] */
-    tr_extent wide_extent, thin_extent; /* and what the disks were in */
-    double wall_moved; /* how far any wall, but those of a box, has moved since the last refresh, at most [m] */
+    tr_extent wide_extent, thin_extent; /* and the frame of the disks */
+    double wall_moved; /* largest motion of a wall, except those of a box, since the last refresh [m] */
     bool spent;        /* tr_step_advance has used the forces, and left 0 */
     bool fresh;        /* laws were just set: nothing has moved since the histories were zero */
     bool stale;        /* the list no longer holds every pair that may touch */
-    int alone_to;      /* up to so many disks one thread works alone: more would wait longer than they work */
+    int alone_to;      /* up to this number of disks one thread works: more would wait longer than they work */
     int64_t searches, refreshes;
-    tr_crush crush; /* what tr_step_forces has failed for, if it was that */
+    tr_crush crush; /* the cause if tr_step_forces failed, if it was that */
 } tr_world;
 
 /* A world of n disks or spheres (numbers 0..n-1), all at rest at 0 with radius and mass 0: the caller sets disks, then
  * walls, then laws (pipeline.h). A world must not be copied or moved once its laws are set: passes point into it.
- * Radii, masses, what is held and the number of walls must not change before the laws are set anew: lists and the
- * bound of the step keep what follows from these. */
+ * Radii, masses, the prescribed motions and the number of walls may change only before the laws are set again: lists
+ * and the bound of the step depend on them. */
 bool tr_world_init(tr_world *world, int n, tr_shape shape, tr_status *st);
 void tr_world_free(tr_world *world);
 
@@ -247,21 +247,21 @@ static inline double tr_world_smaller(double R1, double R2) {
     return R1 > 0 ? fmin(R1, R2) : R2;
 }
 
-/* Two bodies of a group, a wall and a disk in that of walls, infinitely heavy where their motion is given. Their overlap is
- * for the caller to fill in. */
+/* Two bodies of a group (in that of walls: a wall and a disk), infinitely heavy if their motion is prescribed. The
+ * caller sets their overlap. */
 tr_pair_bodies tr_world_pair(const tr_world *world, const tr_group *group, int a, int b);
 
-/* What the law of a slot sees. */
+/* The data that the law of a slot gets. */
 tr_law_data tr_group_data(const tr_group *group, const tr_slot *slot);
 
-/* The world gets n threads (0: one) that share the work of its steps, and keeps them until it is freed or gets others.
- * A new world has one thread, and up to alone_to disks that does not change; tr_world_init sets this to TR_FEW_DISKS.
- * TR_FILE: the system has no threads or memory left. */
+/* The world gets n threads (0: one) for its steps, and keeps them until it is freed or gets others. A new world has one
+ * thread. Up to alone_to disks it uses only one; tr_world_init sets this to TR_FEW_DISKS. TR_FILE: the system has no
+ * threads or memory left. */
 enum { TR_FEW_DISKS = 4000 };
 bool tr_world_set_threads(tr_world *world, int n, tr_status *st);
 int tr_world_threads(const tr_world *world);
 
-/* Bytes that the world holds, less those of the pair finder's own; how many history arrays there are, of both groups. */
+/* Bytes of the world, without those of the pair finder; number of history arrays of both groups. */
 size_t tr_world_bytes(const tr_world *world);
 int tr_world_histories(const tr_world *world);
 
