@@ -10,7 +10,7 @@ static const double NOTHING = 1e-12;
 
 static void push(tr_bed *b, double s, double e, double P) {
     b->s[b->n] = s, b->P[b->n] = P;
-    b->e[b->n] = e + 0.0; /* no -0, which would not outlive e += 0 */
+    b->e[b->n] = e + 0.0; /* no -0: it would not survive e += 0 */
     b->n++;
 }
 
@@ -18,7 +18,7 @@ static tr_elastic curve(const tr_bed *b, double s) {
     return b->data->normal->elastic(b->data->normal_par, b->R1, b->R2, s);
 }
 
-/* By how much kappa Q changes where breakpoint k gives way to the chord over it. */
+/* The change of kappa Q if the chord replaces breakpoint k. */
 static double share(const double *s, const double *e, const double *P, int k) {
     double left = s[k] - s[k - 1], right = s[k + 1] - s[k];
     double above = e[k] - (e[k - 1] * right + e[k + 1] * left) / (left + right);
@@ -29,7 +29,7 @@ static void drop(double *of, int k, int n) {
     for (; k < n; k++) of[k] = of[k + 1];
 }
 
-/* Drops what takes no part, and what does not fit: always the least. A second time it finds nothing to do. */
+/* Drops breakpoints without effect, and those that do not fit, smallest effect first. A second call changes nothing. */
 static void thin(tr_bed *b) {
     double lost[TR_BED_POINTS + 1];
     for (int k = 1; k < b->n - 1; k++) lost[k] = share(b->s, b->e, b->P, k);
@@ -62,9 +62,9 @@ double tr_bed_force(const tr_bed *b, double *below) {
     return b->n ? capped(b, sum / b->kappa, b->P[b->n - 1]) : 0;
 }
 
-/* No slope exceeds that of the caps, mu kappa: what slips is all the bed from some s on, up to delta, in one sense. There e
- * becomes the cap, one line to (delta, 0). Values on a cap are always computed as that here, so that e on it is not
- * above it the next time. */
+/* No slope exceeds that of the caps, mu kappa. So the slipping part is the bed from some s to delta, in one sense.
+ * There e becomes the cap, one line to (delta, 0). Values on a cap are always computed here, so that e is not above the
+ * cap the next time. */
 static void move(tr_bed *b, double delta, double P, double du) {
     for (int k = 0; k < b->n; k++) b->e[k] += du;
     if (!b->n) push(b, 0, du, 0);
@@ -97,7 +97,7 @@ double tr_bed_advance(tr_bed *b, double delta, double P, double du) {
     return tr_bed_force(b, below);
 }
 
-/* What tr_bed_advance would give, from sums that a shift of all e leaves as they are. */
+/* The result of tr_bed_advance, from sums that do not change when all e shift. */
 double tr_bed_trial(const tr_bed *b, const double *below, double delta, double P, double du, double *slope) {
     int k = b->n - 1;
     bool sticks = k < 0 || b->s[k] < delta;
@@ -131,12 +131,12 @@ static void begin(tr_bed *b, const tr_law_data *data) {
     b->cap = b->mu * b->kappa;
 }
 
-/* A history from a file may hold anything. */
+/* A history from a file may have any values. */
 static int count(double n, int most) {
     return n >= 0 && n <= most ? (int)n : 0;
 }
 
-/* In place: to copy a bed takes as long as to move it. */
+/* In place: copying a bed takes as long as moving it. */
 static void load(tr_bed *b, const tr_tile *tile, int i) {
     int c = tile->first + i;
     double *const *hist = b->data->hist, *const *point = hist + 2;
@@ -188,7 +188,7 @@ void tr_bed_state(const tr_tile *tile, const tr_law_data *data, double *energy, 
     }
 }
 
-/* P'/kappa is the greatest slope of Q over du; kappa is not less than 1. */
+/* P'/kappa is the largest slope of Q over du; kappa is at least 1. */
 tr_stiffness tr_bed_stiffness(const void *par, const tr_pair_bodies *bodies) {
     const tr_bed_par *p = par;
     return (tr_stiffness){.k = p->mu > 0 ? bodies->k_n : 0};

@@ -6,18 +6,19 @@
  * when the overlap was s, has the weight P''(s) ds (and P'(0) at s = 0), P the elastic curve of the normal law, and the
  * strain e(s), |e(s)| <= mu kappa (delta - s), e(delta) = 0:
  *
- *   P = int_0^delta (delta - s) P'' ds,   Q = (1/kappa) (P'(0) e(0) + int_0^delta e P'' ds) = -(1/kappa) int_0^delta e' P' ds
- *   energy = (1/2 kappa) (P'(0) e(0)^2 + int_0^delta e^2 P'' ds)
+ *   P = int_0^delta (delta - s) P'' ds, Q = (1/kappa) (P'(0) e(0) + int_0^delta e P'' ds) = -(1/kappa) int_0^delta e'
+ *   P' ds energy = (1/2 kappa) (P'(0) e(0)^2 + int_0^delta e^2 P'' ds)
  *
- * A step from overlap delta to delta' with tangential displacement du along a straight path is exact, whatever its size:
- * e += du; what joins in between gets its part du (delta' - s)/(delta' - delta), what leaves is dropped; e is clamped.
- * e stays piecewise linear, so its breakpoints are all the history and both integrals are sums:
+ * A step from overlap delta to delta' with tangential displacement du along a straight path is exact for any size: e +=
+ * du; springs that join during the step get their part du (delta' - s)/(delta' - delta), springs that leave are
+ * dropped; e is clamped. e stays piecewise linear, so its breakpoints are the whole history, and both integrals are
+ * sums:
  *
  *   Q = -(1/kappa) sum m (P_b - P_a),   energy = (1/kappa) sum m (m (W_b - W_a) - (P_b e_b - P_a e_a)),   W = int P ds
  *
- * over the pieces from a to b of slope m = (e_b - e_a)/(s_b - s_a), |m| <= mu kappa. Hence |Q| <= mu P; virgin loading is
- * mu (P(delta) - P(delta - u/(mu kappa))), reversals follow it at twice the scale (Masing), loops close and are
- * forgotten. kappa, normal over tangential stiffness at first: (2 - nu)/(2(1 - nu)) of spheres, 1 of disks with the
+ * over the pieces from a to b of slope m = (e_b - e_a)/(s_b - s_a), |m| <= mu kappa. Hence |Q| <= mu P; virgin loading
+ * is mu (P(delta) - P(delta - u/(mu kappa))), reversals follow it at twice the scale (Masing), loops close and leave no
+ * memory. kappa, the initial normal over tangential stiffness: (2 - nu)/(2(1 - nu)) of spheres, 1 of disks with the
  * logarithmic law of their line contact. A linear P makes it a spring k_n/kappa capped at mu P.
  *
  * A breakpoint that takes no part in Q (collinear, or P linear around it) is dropped. Where P grows while du/ddelta varies
@@ -31,7 +32,8 @@
  *   16       0.0009, 0.005, 0.006          3e-6
  *   32       0.0001, 0.0006, 0.001         1e-6
  *
- * P is f_elastic: a dashpot carries no friction. f_n <= 0 or delta <= 0: Q = 0 and all is forgotten. P -> 0, mu = 0: Q = 0.
+ * P is f_elastic: a dashpot carries no friction. f_n <= 0 or delta <= 0: Q = 0 and the history is cleared. P -> 0, mu =
+ * 0: Q = 0.
  */
 #ifndef TR_BED_H
 #define TR_BED_H
@@ -39,8 +41,8 @@
 #include "laws/law.h"
 #include "laws/material.h"
 
-/* History: number of points, count of those that did not fit, then s [m], e [m] and P(s) of each. P is kept because it is
- * dear: a step asks the normal law for that of a new breakpoint only. */
+/* History: number of points, count of those that did not fit, then s [m], e [m] and P(s) of each. P is cached, because
+ * computing it is expensive: a step calls the normal law only for a new breakpoint. */
 enum { TR_BED_POINTS = 16, TR_BED_HIST = 2 + 3 * TR_BED_POINTS };
 
 /* The parameters of a law on the bed begin with these. */
@@ -65,16 +67,17 @@ typedef struct tr_bed {
     double P[TR_BED_POINTS + 1];                       /* P(s) */
 } tr_bed;
 
-/* Q of the bed as it is [N/m]; below[k]: the part of kappa Q from 0 to s[k]. */
+/* Q of the present bed [N/m]; below[k]: the part of kappa Q from 0 to s[k]. */
 double tr_bed_force(const tr_bed *bed, double *below);
 
 /* One step to the overlap delta > 0, where the elastic force is P, with the tangential displacement du; returns Q. */
 double tr_bed_advance(tr_bed *bed, double delta, double P, double du);
 
-/* What Q would be, and dQ/ddu [Pa], of the bed as it is: by the parts below of tr_bed_force, which du does not change. */
+/* Q, and dQ/ddu [Pa], for a trial du of the present bed: from the parts `below` of tr_bed_force, which du does not
+ * change. */
 double tr_bed_trial(const tr_bed *bed, const double *below, double delta, double P, double du, double *slope);
 
-/* The displacement that reaches the bed of contact i in this step: of sliding, less what rolling takes away. */
+/* The displacement of the bed of contact i in this step: sliding less the part that rolling takes away. */
 typedef double tr_bed_displacement(tr_bed *bed, const tr_tile *tile, const tr_law_data *data, int i);
 
 /* The step, state and stiffness of a law on the bed. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What laws of friction on the bed need to know of rolling: its distance. */
+/* The rolled distance, for friction laws on the bed. */
 #ifndef TR_CREEP_H
 #define TR_CREEP_H
 

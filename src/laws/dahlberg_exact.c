@@ -9,19 +9,19 @@
  *
  *   (z0 - z) + alpha ln((z + alpha)/(z0 + alpha)) = tau,   tau = B/2 = k_t F0 |du_roll|/(2 mu P)
  *
- * (with P = pi E* a^2/(4 R) and F0 = mu a/R also tau = (2/pi) (k_t/E*) |du_roll|/a). It is of no use for numbers: its
- * digits go where B << A, where alpha -> 0 and where q falls far. Instead take the time s of dtime = 2 z ds, in which w
- * and z are exponentials:
+ * (with P = pi E* a^2/(4 R) and F0 = mu a/R also tau = (2/pi) (k_t/E*) |du_roll|/a). It is useless for numbers: digits
+ * cancel for B << A, for alpha -> 0, and when q falls far. Instead take the time s of dtime = 2 z ds, in which w and z
+ * are exponentials:
  *
  *   w = w0 e^(-B s) + A s1,   z = z0 e^(-B s) + (B - A) s1,   time = 2 z0 s1 + 2 (B - A) s2
  *   s1 = int_0^s e^(-B r) dr,   s2 = int_0^s s1(r) dr
  *
- * and solve time(s) = 1. Its slope is 2 z, and w only rises or only falls, so time(s) bends one way and Newton's method is
- * monotone: up from s = 0 where q rises, down from an upper bound where q falls. (There B > A; as s2 >= s^2/(2 + B s)
- * the step is over before s = B/(2 (B - A)) + 1/sqrt(B - A).) Rounding ends it. No bracket is needed.
+ * and solve time(s) = 1. Its slope is 2 z, and w only rises or only falls, so time(s) bends one way and Newton's method
+ * is monotone: up from s = 0 if q rises, down from an upper bound if q falls. (There B > A; as s2 >= s^2/(2 + B s) the
+ * step is over before s = B/(2 (B - A)) + 1/sqrt(B - A).) Rounding ends it. No bracket is needed.
  *
- * The step has a second part where w reaches 1: full slip, which holds while A >= B; or 0, slid against: the rest of the
- * step begins at Q = 0 with the other sign. Without sliding q only decays. Without rolling Q is the capped spring.
+ * The step has a second part if w reaches 1 (full slip, which lasts while A >= B) or 0 (slid against: the rest of the
+ * step begins at Q = 0 with the other sign). Without sliding q only decays. Without rolling Q is the capped spring.
  */
 #include "laws/dahlberg_exact.h"
 #include "base/math.h"
@@ -30,7 +30,7 @@
 #include <math.h>
 #include <stdbool.h>
 
-enum { MANY = 100 }; /* steps of Newton's method: 3 as a rule, 40 where the step ends just before full slip */
+enum { MANY = 100 }; /* steps of Newton's method: usually 3, 40 if the step ends just before full slip */
 
 typedef struct stage {
     double w, z, A, B; /* w and z at its start */
@@ -40,7 +40,7 @@ static double s1(double B, double s) {
     return -tr_expm1(-B * s) / B;
 }
 
-/* By its series where the closed form would cancel: 1 - y/3 (1 - y/4 (1 - ...)), to 1e-17 at y = 1. */
+/* By its series if the closed form would cancel: 1 - y/3 (1 - y/4 (1 - ...)), to 1e-17 at y = 1. */
 static double s2(double B, double s) {
     double y = B * s, series = 1;
     if (y > 1) return (s - s1(B, s)) / B;
@@ -83,7 +83,7 @@ double tr_dahlberg_exact(double Q, double M, double A, double C) {
     if (A > B) end = tr_log1p(B * z / (A - B)) / B; /* w = 1; for A = B there s and Newton's method go to infinity */
     if (A < 0) end = tr_log1p(B * w / -A) / B;      /* w = 0 */
     stage g = {w, z, A, B};
-    double used = time_at(&g, end); /* inf or NaN where there is no end */
+    double used = time_at(&g, end); /* inf or NaN without an end */
     if (used <= 1 && A > 0) return sign * M;
     if (used <= 1) return -sign * M * tr_dahlberg_exact(0, 1, -A * (1 - used), B * (1 - used));
     w = w_at(&g, s_of_step(&g));

@@ -4,21 +4,21 @@
  *
  *   Q' = A - sgn(q) C sqrt(M/M_most) w,   w = 1 - sqrt(1 - |q|),   |Q| <= M
  *
- * Q is cut only where it is at the cap: full slip to the side s lasts while s A - C sqrt(M/M_most) >= M'. There is no
+ * Q is cut only at the cap: full slip to the side s lasts while s A - C sqrt(M/M_most) >= M'. There is no
  * closed form. In q the change of M is one more drive, M q' = A - q M' - sgn(q) C sqrt(M/M_most) w. A substep takes M
  * in its middle and q M' at the mean of q before and after,
  *
  *   q_1 = Phi(q_0; (A - M' (q_0 + q_1)/2)/M, C/sqrt(M M_most)),
  *
  * Phi the closed form at constant P (dahlberg_exact.h), which knows full slip, its end and the way through Q = 0. q_1
- * is the one root, for Phi rises with its drive, at most as fast. Without rolling that is Q_1 = Q_0 + A, cut to M_1:
- * the spring.
+ * is the only root, because Phi rises with its drive, at most as fast. Without rolling that is Q_1 = Q_0 + A, cut to
+ * M_1: the spring.
  *
  * Substeps are symmetric in time, so their error has even powers of their length only: Romberg's table of 1, 2, 4, ...
- * substeps, and halves where it does not settle to 1e-13 of M_most. Pieces end where full slip ends, at
- * s A - C sqrt(M/M_most) = M'; around what else is not smooth they become short. Full slip at the end of a piece is
- * sure only where it came before the last substep. Errors of Q do not grow on the way. Of a step that rolls very far
- * only the end counts: what was before fades as exp(-C/2) or faster. */
+ * substeps, and halves of the step if it does not settle to 1e-13 of M_most. Pieces end where full slip ends, at s A -
+ * C sqrt(M/M_most) = M'; around other kinks they become short. Full slip at the end of a piece is certain only if it
+ * began before the last substep. Errors of Q do not grow. For a step that rolls very far only the end counts: earlier
+ * motion fades as exp(-C/2) or faster. */
 #include "laws/dahlberg_load.h"
 
 #include "laws/dahlberg_exact.h"
@@ -27,7 +27,7 @@
 #include <math.h>
 #include <stdbool.h>
 
-enum { LEVELS = 5, PIECES = 2000 }; /* of Romberg's table; at most, then what it has is taken */
+enum { LEVELS = 5, PIECES = 2000 }; /* of Romberg's table; at this limit its last value is taken */
 
 static const double SETTLED = 1e-13, HOPELESS = 1e-8, FORGOTTEN = 100; /* exp(-50) */
 
@@ -49,7 +49,7 @@ static double excess(const substep *s, double end) {
     return tr_dahlberg_exact(s->q, 1, s->drive - s->turn * (s->q + end), s->creep) - end;
 }
 
-/* Its excess falls from -1 to 1: secants, and halves where these leave the bracket. */
+/* Its excess falls from -1 to 1: secants, and halves if these leave the bracket. */
 static double end_of(const substep *s) {
     double low = -1, high = 1, x = 1, f = excess(s, 1), next = s->q;
     if (f >= 0) return 1;
@@ -65,7 +65,7 @@ static double end_of(const substep *s) {
     return x;
 }
 
-/* Also whether it has come to full slip before the last of n substeps, if it ends there. */
+/* Also whether full slip began before the last of n substeps, if it ends in full slip. */
 static double march(const load *l, double q, double from, double length, int n, bool *sure) {
     double before = q;
     for (int i = 0; i < n; i++) {
@@ -98,7 +98,7 @@ static double advance(load *l, double q, double from, double length) {
     return advance(l, q, from + length / 2, length / 2);
 }
 
-/* When full slip to the side of s ends, or would begin to last; else 1. */
+/* The time when full slip to the side of s ends, or would start to last; else 1. */
 static double turning_point(const load *l, double s) {
     double change = l->M1 - l->M0, root = (s * l->A - change) / l->C;
     double time = root > 0 ? (root * root - l->M0) / change : 1;

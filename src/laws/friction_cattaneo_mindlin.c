@@ -6,7 +6,7 @@
  *   in general:           Q = (1/kappa) int e dP',   |e(s)| <= mu kappa (delta - s)
  *
  * P(delta) is that of the scene's normal law. With hertz-sphere it is Mindlin's Q = mu P (1 - (1 - u/(mu kappa
- * delta))^(3/2)), with hertz-line the exact contact of cylinders. Wall: as the normal law has it.
+ * delta))^(3/2)), with hertz-line the exact contact of cylinders. Wall: like the normal law.
  */
 #include "laws/bed.h"
 

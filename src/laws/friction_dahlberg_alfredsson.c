@@ -5,7 +5,7 @@
  *   dQ = k_t (du_disp - sgn(Q) F(|Q|/(mu P)) |du_roll|),   |Q| <= mu P
  *   F(q) = F0 (1 - sqrt(1 - q)),   F0 = mu a/R,   a = sqrt(4 P R/(pi E*)),   1/R = 1/R1 + 1/R2
  *
- * du_disp = Vs dt, P = f_n, a from the P of now. du_roll: Kuhn's mean flow of material (s1 + s2)/2 dt, or V_r dt of
+ * du_disp = Vs dt, P = f_n, a from the present P. du_roll: Kuhn's mean flow of material (s1 + s2)/2 dt, or V_r dt of
  * Wang.
  *
  * step: backward-euler, the default, in closed form. With M = mu P, A = Q + k_t du_disp and C = k_t F0 |du_roll| the
@@ -13,16 +13,16 @@
  *
  *   M w (2 - w) + C w = |A|   =>   w = 2 |A|/(2 M + C + sqrt(C^2 + 4 M (M + C - |A|)))   while |A| < M + C, else w = 1
  *
- * Inside the cap and stable for any step. Q of the step before enters as it was, even above the cap of now: the step
- * does the only capping.
+ * Inside the cap and stable for any step. Q of the step before enters unchanged, even above the present cap: only this
+ * step caps.
  *
- * step: exact, the solution of the differential equation over the step, whatever its length, with P linear over it: what
- * the other is measured against. In closed form where P stands still (dahlberg_exact.c), to 1e-12 of mu P where it changes
- * (dahlberg_load.c). Iterations, so for kind: contact only. Q is cut only where it is at the cap.
+ * step: exact, the solution of the differential equation over a step of any length, with P linear: the reference for
+ * the other. In closed form if P is constant (dahlberg_exact.c), to 1e-12 of mu P if it changes (dahlberg_load.c). It
+ * iterates, so it is for kind: contact only. Q is cut only at the cap.
  *
  * differs: eq. 11 as printed has no signs (wrong where Q < 0 or rolling turns back) and is 0/0 at du_disp = 0.
  *
- * History: Q [N/m]; of exact also P at the end of the step before. du_roll = 0: coulomb-spring, bit for bit. P -> 0:
+ * History: Q [N/m]; for exact also P at the end of the step before. du_roll = 0: coulomb-spring, bit for bit. P -> 0:
  * a = 0 and Q = 0.
  * Wall: R = R2, material rolls with (Vt - R2 w)/2. Energy Q^2/2 k_t; creep dissipates |Q| F |du_roll|.
  */
@@ -48,7 +48,7 @@ static const tr_param params[] = {
      "how a step is solved: backward-euler, of first order; exact, for kind: contact only"},
 };
 
-/* C of a tile, less what differs from contact to contact. */
+/* C of a tile, without the factor that differs between contacts. */
 typedef struct creep {
     double factor; /* C = factor sqrt(P/R) |v_roll| */
     double wang;   /* v_roll has s2 with the weight 1/2 for kuhn, g1 for wang */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The exact contact among the laws: no formula for Q, but the tractions inside, solved by patch/half_plane.c. Only the
- * driver of kind: contact has it, to overlay it with the laws that are in assemblies; laws/ does not see patch/. */
+ * driver of kind: contact has it, to compare it with the laws of assemblies; laws/ does not see patch/. */
 #include "laws/law.h"
 #include "laws/material.h"
 

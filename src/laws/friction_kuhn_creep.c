@@ -1,27 +1,28 @@
 /* SPDX-License-Identifier: MIT */
-/* Friction of an elastic contact that rolling relaxes [Kuhn2014 eq. 16]: the bed of sliders moves by the sliding less the
- * creep of steady rolling at the force of now.
+/* Friction of an elastic contact that rolling relaxes [Kuhn2014 eq. 16]: the bed of sliders moves by the sliding less
+ * the creep of steady rolling at the present force.
  *
  *   dQ = C^-1(du_disp - sgn(Q) F(|Q|/(mu P)) |du_roll|),   C^-1: cattaneo-mindlin, see bed.h
  *   spheres [Kalker1967]:  F(q) = F0 (1 - (1 - q)^(1/3)),   F0 = 4 mu a/((1 - nu) C11 R),   a = cbrt(3 P R/(4 E*))
  *   disks   [Carter1926]:  F(q) = F0 (1 - (1 - q)^(1/2)),   F0 = mu a/R,                    a = sqrt(4 P R/(pi E*))
  *
- * 1/R = 1/R1 + 1/R2, C11 linear between Kalker's 3.40, 4.12, 5.20 at nu = 0, 0.25, 0.5, and on below 0. du_roll: Kuhn's mean flow of
- * material (s1 + s2)/2 dt, or V_r dt of Wang.
+ * 1/R = 1/R1 + 1/R2, C11 linear between Kalker's 3.40, 4.12, 5.20 at nu = 0, 0.25, 0.5, and on below 0. du_roll: Kuhn's
+ * mean flow of material (s1 + s2)/2 dt, or V_r dt of Wang.
  *
- * A step looks for its end Q = J(x), J(x) the force of the bed after a step by x:
+ * A step solves Q = J(x), where J(x) is the force of the bed after a step by x:
  *
  *   x = du_disp - ((1 - theta) sgn(Q_n) F_n + theta sgn(Q) F) |du_roll|
  *   theta = 1/(1 - e^-z) - 1/z,   z = (dQ/dx) (dF/dQ) |du_roll| at the begin
  *
- * Q_n and F_n are those at the end of the step before, with the P of then; dQ/dx = P'/kappa of now, the greatest. theta
- * -> 1/2 for short steps, of second order, and -> 1 for long ones, backward Euler [Liniger1970]. (1 - theta) z < 1 and F
- * is convex, so that the explicit part cannot turn Q over at constant P; where it would because P falls, theta = 1. Where
- * full slip ends, F falls like a root of the time: theta = 1, and the order from there on is 1 + 1/p, p as below.
+ * Q_n and F_n are those at the end of the step before, with the P of that time; dQ/dx = the present P'/kappa, the
+ * largest. theta
+ * -> 1/2 for short steps, of second order, and -> 1 for long ones, backward Euler [Liniger1970]. (1 - theta) z < 1 and
+ * F is convex, so the explicit part cannot reverse Q at constant P. If it would because P falls, theta = 1. At the end
+ * of full slip F falls like a root of the time: theta = 1, and the order from there is 1 + 1/p, p as below.
  *
- * The unknown is w = 1 - (1 - q)^(1/p), p = 3 or 2, in which creep is linear: mu P (1 - (1 - w)^p) - |J(x(w))| grows with
- * w, and Newton's method finds its one root, from the w of before in two steps as a rule. J and dJ/dx need P and P' at the edge of
- * slip alone.
+ * The unknown is w = 1 - (1 - q)^(1/p), p = 3 or 2, in which creep is linear: mu P (1 - (1 - w)^p) - |J(x(w))| grows
+ * with w, and Newton's method finds its only root, usually in two steps from the w before. J and dJ/dx need P and P'
+ * only at the edge of slip.
  *
  * du_roll = 0: cattaneo-mindlin, bit for bit. P -> 0: a = 0, Q = 0. Wall: R = R2, material rolls with (Vt - R2 w)/2.
  */
@@ -62,8 +63,8 @@ static double excess(const trial *t, double w, double *slope) {
     return t->most * q - t->side * Q;
 }
 
-/* The root of excess in [0, 1] by Newton's method from w; what leaves the bracket is halved. As slope > creep dQ/dx, what is
- * left in excess bounds the error of Q; from 1e-12 mu P, what the bed drops, a last step leaves rounding. */
+/* The root of excess in [0, 1] by Newton's method from w; steps out of the bracket are halved. Since slope > creep
+ * dQ/dx, the excess bounds the error of Q. From 1e-12 mu P, the precision of the bed, a last step reaches rounding. */
 static double root(const trial *t, double w) {
     double a = 0, b = 1, slope;
     if (excess(t, 1, &slope) <= 0) return 1; /* full slip */
@@ -97,7 +98,7 @@ static double displacement(tr_bed *bed, const tr_tile *tile, const tr_law_data *
     double theta = z > 1e-3 ? -1 / tr_expm1(-z) - 1 / z : 0.5 + z / 12; /* the next term is z^3/720 */
     t.x0 = slide - copysign((1 - theta) * creep_before * w, before);
     double first = pushed(&t, t.x0);
-    if (first * before < 0) { /* J rises with x: only then creep may turn it over */
+    if (first * before < 0) { /* J rises with x: only then creep may reverse it */
         double without = pushed(&t, slide);
         if (first * without < 0) theta = 1, t.x0 = slide, first = without;
     }

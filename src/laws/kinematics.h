@@ -31,7 +31,7 @@ extern const int tr_n_arms, tr_n_arms_measured;
 
 tr_pass_run tr_kinematics_pair;   /* two disks, shared arms */
 tr_pass_run tr_kinematics_wall;   /* body 1 is a plane: gather writes nx, ny, and the distance of the centre into dx */
-tr_pass_run tr_resultant_central; /* normal force alone: no torque */
+tr_pass_run tr_resultant_central; /* only normal forces: no torque */
 tr_pass_run tr_resultant_full;
 
 #endif

@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 /* A contact law: one file with one loop over a tile of contacts, and one row in laws.c.
  *
- * THE WAY OF A CONTACT. Contacts lie in arrays sorted by (a, b), a < b (walls count as a). Each step walks them in
+ * THE WAY OF A CONTACT. Contacts are in arrays sorted by (a, b), a < b (walls count as a). Each step walks them in
  * tiles of TR_TILE. core/ gathers the relative motion of each pair into a tr_tile; then the passes of this folder run
  * over it:
  *
  *     kinematics -> normal -> friction -> rolling velocity -> rolling -> resultant
  *
  * Every pass is a plain loop over the tile's arrays that a compiler turns into vector code: no branch on options, no
- * call. A scene's pipeline is the list of passes it asked for; what it leaves out is not in the list. core/ then
+ * call. A scene's pipeline is the list of passes that it needs. core/ then
  * scatters the resultants to the bodies, and sinks (ledger, contact table) may read the finished tile.
  *
  * Body 1 is a, body 2 is b. n points from 1 to 2, t = n x k = (n_y, -n_x), rotations counter-clockwise.
  *
- * Units in brackets are those of disks, cylinders per metre of length. Spheres that move in the plane have a metre more:
- * N for N/m, kg for kg/m, N/m for Pa (but Young's moduli, which stay).
+ * Units in brackets are those of disks, cylinders per metre of length. Spheres that move in the plane have one metre
+ * more: N for N/m, kg for kg/m, N/m for Pa (Young's moduli stay in Pa).
  */
 #ifndef TR_LAW_H
 #define TR_LAW_H
@@ -44,7 +44,7 @@ typedef struct tr_tile {
     const double *R1, *R2, *g1;
     /* kinematics */
     tr_lane nx, ny; /* unit normal from 1 to 2 */
-    tr_lane delta;  /* overlap [m]; not touching where <= 0, and then v_s, s1, s2 still hold */
+    tr_lane delta;  /* overlap [m]; <= 0: not touching; v_s, s1, s2 are valid then, too */
     tr_lane r1, r2; /* arms from the centres to the contact point [m] */
     tr_lane v_n;    /* approach speed, -V21.n [m/s] */
     tr_lane v_s;    /* sliding velocity Vs, of 2 relative to 1 along t [m/s] */
@@ -70,7 +70,8 @@ static inline double tr_tile_length(const tr_tile *tile, int i) {
 
 typedef struct tr_law tr_law;
 
-/* What a pass sees of the group besides the tile. Contact i of the tile is number tile->first + i of these arrays. */
+/* The data of the group for a pass, besides the tile. Contact i of the tile is number tile->first + i of these
+ * arrays. */
 typedef struct tr_law_data {
     const void *par; /* the law's parameter struct */
     double *const *hist, *const *pair;
@@ -105,8 +106,8 @@ static inline double tr_law_inertia(tr_shape shape) {
 static inline double tr_law_R_star(double R1, double R2) {
     return R1 != 0 ? R1 * R2 / (R1 + R2) : R2;
 }
-/* The same of two masses, or of two inertias, for a dashpot. One is infinite: the other. Both are, or there is none (0): no
- * motion follows from forces, and 0 leaves the dashpot out. */
+/* The same of two masses, or of two inertias, for a dashpot. If one is infinite: the other. If both are, or there is
+ * none (0): forces move nothing, and 0 means no dashpot. */
 static inline double tr_law_reduced(double one, double two) {
     if (isinf(one) || isinf(two)) return isinf(one) && isinf(two) ? 0 : fmin(one, two);
     return one + two > 0 ? one * two / (one + two) : 0;
@@ -132,7 +133,7 @@ typedef struct tr_elastic {
     double stiffness; /* dP/ddelta [Pa] */
 } tr_elastic;
 
-/* Greatest stiffness and damping that a law can show in its own coordinate (overlap, sliding, rolling distance), for
+/* Largest stiffness and damping of a law in its own coordinate (overlap, sliding, rolling distance), for
  * the bound on the step: k [Pa], c [Pa s]. Rolling: V_r = lever1 w1 - lever2 w2 + along Vt; levers [m], along [1]. A
  * law of angles has levers 1, k [N] and c [N s]. */
 typedef struct tr_stiffness {
@@ -144,23 +145,24 @@ typedef enum tr_needs {
     TR_SOLVED_BY_PATCH = 4, /* step is NULL: the driver of kind: contact solves it */
     TR_ELASTIC_P = 8,       /* a friction law whose P is f_elastic, while f_n > 0; the others take f_n */
     TR_GIVES_F_R = 2, /* a rolling law that also pulls along t: the pipeline ends with tr_resultant_rolling_force */
-    TR_NEEDS_Z = 16,  /* its pair constants follow z1 and z2: they are made anew with every list */
+    TR_NEEDS_Z = 16,  /* its pair constants depend on z1 and z2: they are made again with every list */
     TR_NEEDS_PARTIALS = 32, /* with TR_NEEDS_V_R: the partial derivatives of that definition too */
 } tr_needs;
 
-/* What a law claims, at its default options. tests/laws/test_claims.c shows each claim to hold, and to fail where it is
- * not made. */
+/* What a law claims, at its default options. tests/laws/test_claims.c shows that each claim holds, and that it fails
+ * for laws that do not make it. */
 typedef enum tr_claims {
-    TR_RATE_INDEPENDENT = 1, /* the path counts, not the speed along it; follows from the table, see tr_law_claims */
+    TR_RATE_INDEPENDENT = 1, /* only the path counts, not the speed along it; follows from the table, see
+                              * tr_law_claims */
     TR_OBJECTIVE = 2,        /* the same for an observer who moves or turns; nothing in a rigid rotation */
     TR_BALANCED = 4,         /* changes neither momentum nor angular momentum of the two bodies together; m1 = -m2 */
     TR_ENERGY_CLOSED = 8,    /* no closed cycle gains energy from it, at constant or changing normal force */
 } tr_claims;
 
-/* Where a contact slips at a given Q, for pictures: of 2a the share 1 - sqrt(1 - q), spheres of a 1 - (1 - q)^(1/3),
- * with q = |Q|/(mu P). */
+/* The slipping part of a contact at a given Q, for pictures: of 2a the share 1 - sqrt(1 - q), spheres of a 1 - (1 -
+ * q)^(1/3), with q = |Q|/(mu P). */
 typedef enum tr_slip {
-    TR_SLIPS_WHOLE,    /* the law knows no width: all of it at q = 1, else nothing */
+    TR_SLIPS_WHOLE,    /* the law has no width: all of it at q = 1, else nothing */
     TR_SLIPS_AT_ENDS,     /* at both ends, as if loaded from rest [Cattaneo1938] */
     TR_SLIPS_TRAILING, /* where material leaves, as in steady rolling with this Q [Carter1926]; both ends at rest */
 } tr_slip;
@@ -168,26 +170,25 @@ typedef enum tr_slip {
 struct tr_law {
     tr_param_table table; /* name, doc, parameters, demands */
     const char *source;   /* e.g. "[Wang2015 eq. 28]" */
-    const char *formula;  /* as `trundle laws NAME` prints it; lines end in \n but the last */
-    const char *differs;  /* what differs from the source as printed; NULL: nothing */
+    const char *formula;  /* for `trundle laws NAME`; all lines but the last end in \n */
+    const char *differs;  /* differences from the source as printed; NULL: none */
     unsigned claims;      /* tr_claims, but for TR_RATE_INDEPENDENT; read by tr_law_claims */
-    /* Doubles of history per contact, all zero when a contact forms; without those that only table.driver_choice keeps:
+    /* Doubles of history per contact, all zero when a contact forms; without those that only table.driver_choice needs:
      * kind: contact has room for TR_MAX_HIST. */
     int n_hist;
-    int merged;           /* 1 + number of the history that counts what did not fit into the others; 0: all fits */
+    int merged;           /* 1 + number of the history that counts lost points; 0: none */
     int n_pair;           /* pair constants per contact */
     unsigned needs;       /* tr_needs */
     tr_slip slip;         /* of friction laws */
     /* Fills the pair constants of one contact; NULL when n_pair is 0. */
     void (*pair)(const void *par, const tr_pair_bodies *bodies, double *constants);
-    /* One step over the tile. Where the bodies do not touch all outputs are 0 and the history is forgotten. NULL: law
-     * "none". */
+    /* One step over the tile. For bodies that do not touch, all outputs and the history become 0. NULL: law "none". */
     tr_pass_run *step;
     /* For the sinks, after step: energy in the contacts [N], and the bound on |f_t| [N/m] or on the larger of
      * |m1|, |m2| [N] (of a normal law: none). NULL with step. */
     void (*state)(const tr_tile *tile, const tr_law_data *data, double *energy, double *bound);
-    /* Friction laws that creep, after step: sgn(Q) F |du_roll|, what creep takes off the sliding of this step [m]. NULL: the
-     * others. */
+    /* Friction laws that creep, after step: sgn(Q) F |du_roll|, the part of the sliding of this step that creep takes
+     * off [m]. NULL: other laws. */
     void (*creep)(const tr_tile *tile, const tr_law_data *data, double *u);
     tr_stiffness (*stiffness)(const void *par, const tr_pair_bodies *bodies);
     /* Normal laws: the elastic force at an overlap >= 0, and the overlap [m] at an elastic force >= 0, of bodies with
@@ -212,13 +213,13 @@ extern const tr_law tr_normal_linear, tr_normal_hertz_line, tr_normal_hertz_sphe
     tr_friction_dahlberg_alfredsson, tr_rolling_wang_spring, tr_rolling_conjugate_spring,
     tr_rolling_star_force_proportional, tr_rolling_star_constant_torque, tr_rolling_star_displacement_damping;
 
-/* A real parameter of a law by its key, in its parameter struct at par; NULL: the law has none of that name. */
+/* A real parameter of a law by its key, in its parameter struct at par; NULL: the law has no such parameter. */
 double *tr_law_value(const tr_law *law, const double *par, const char *key);
-const int *tr_law_count(const tr_law *law, const double *par, const char *key); /* the same of a whole number */
+const int *tr_law_count(const tr_law *law, const double *par, const char *key); /* the same for a whole number */
 const int *tr_law_choice(const tr_law *law, const double *par, const char *key); /* the same of a choice */
 
-/* What a definition claims. tests/laws/test_definitions.c shows each claim to hold, and to fail where it is not
- * made. */
+/* What a definition claims. tests/laws/test_definitions.c shows that each claim holds, and that it fails for
+ * definitions that do not make it. */
 typedef enum tr_definition_claims {
     TR_DEFINES_OBJECTIVE = 1, /* the same for an observer who moves or turns: a function of s1 and s2 */
     TR_DEFINES_ANGLE = 2,     /* in rad/s; the others are in m/s */
@@ -226,28 +227,29 @@ typedef enum tr_definition_claims {
 
 /* A definition of the rolling or of the sliding velocity: a row of rolling_velocity.c or of sliding_velocity.c. */
 typedef struct tr_velocity_measure {
-    const char *name;   /* as rolling_velocity takes it */
+    const char *name;   /* its name for `rolling_velocity` */
     const char *column; /* of the tables of `trundle measures` */
-    const char *head;   /* of its column on the card, two lines of six characters; NULL: there it repeats another */
+    const char *head;   /* of its column on the card, two lines of six characters; NULL: not on the card, because it
+                         * repeats another */
     const char *source, *formula;
     unsigned claims;       /* tr_definition_claims */
     tr_pass_run *step;     /* writes tile->v_r (sliding: tile->v_s) after kinematics */
     tr_pass_run *partials; /* the same and its derivatives by s1 and s2, into tile->p1 and tile->p2 */
 } tr_velocity_measure;
-/* The first tr_n_..._velocities are recorded of every contact; those of rolling may stand in scenes. `trundle measures`
- * has all. */
+/* The first tr_n_..._velocities are recorded for every contact; those of rolling are allowed in scenes. `trundle
+ * measures` has all. */
 extern const tr_velocity_measure tr_rolling_velocities[], tr_sliding_velocities[];
 extern const int tr_n_rolling_velocities, tr_n_sliding_velocities, tr_n_rolling_measures, tr_n_sliding_measures;
 extern const char tr_rolling_velocity_choices[]; /* "|wang|bagi-kuhn|..." */
 extern const char tr_arms_choices[];             /* "|shared|midpoint": see kinematics.h */
 
-/* The pass that a rolling law needs before its own: NULL, or of definition number `definition`. */
+/* The pass that a rolling law needs before its own, for definition number `definition`; or NULL. */
 static inline tr_pass_run *tr_law_rolling_velocity(const tr_law *rolling, int definition) {
     const tr_velocity_measure *m = &tr_rolling_velocities[definition];
     return rolling->needs & TR_NEEDS_PARTIALS ? m->partials : rolling->needs & TR_NEEDS_V_R ? m->step : NULL;
 }
 
-/* The registry as the scene reader wants it. The catalog lives as long as the program. */
+/* The registry for the scene reader. The catalog lives as long as the program. */
 const tr_param_catalog *tr_laws_catalog(void);
 
 #endif

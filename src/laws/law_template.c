@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The start for a new law. It is built and tested, but it is not in the registry: no scene can choose it.
  *
- * Copy this file to SLOT_NAME.c (normal_, friction_ or rolling_). At its end rename tr_law_template to tr_SLOT_NAME and
- * delete the line `extern`. Add SLOT_NAME to the list of its slot in laws.c. Then replace each part by your own, this
- * comment too: formula, limits, differences from the source, history. src/README.md says which tests to run.
+ * Copy this file to KIND_NAME.c (normal_, friction_ or rolling_). At its end rename tr_law_template to tr_KIND_NAME and
+ * delete the line `extern`. Add KIND_NAME to the list of its kind in laws.c. Then replace each part, also this comment:
+ * formula, limits, differences from the source, history. src/README.md says which tests to run.
  *
  * Rolling spring and dashpot. Source [Luding2008].
  *
@@ -11,14 +11,13 @@
  *   T  = S + c V_r,      clamped to |T| <= mu_r f_n          c = 2 rolling_damping sqrt(k_r I)/R_eff
  *   M1 = -R_eff T,   M2 = +R_eff T                           R_eff = R1 R2/(R1 + R2),   1/I = 1/I1 + 1/I2
  *
- * Two disks that roll on each other below the bound swing like a mass on a damped spring: V_r' = -R_eff^2 T/I, so c is
- * that share of critical damping. T lies between S and S + c V_r: the dashpot never drives.
+ * Two disks that roll on each other below the bound swing like a mass on a damped spring: V_r' = -R_eff^2 T/I, so
+ * rolling_damping is the fraction of critical damping. T lies between S and S + c V_r: the dashpot never drives.
  *
- * Limits. rolling_damping = 0: the bits of wang-spring. Slow rolling: the spring. Fast: mu_r f_n. f_n -> 0: nothing is
- * left. Wall (R1 -> infinity): R_eff = R2, I = I2. Both spins are given: no dashpot.
+ * Limits. rolling_damping = 0: the bits of wang-spring. Slow rolling: the spring. Fast: mu_r f_n. f_n -> 0: no moment.
+ * Wall (R1 -> infinity): R_eff = R2, I = I2. Both spins prescribed: no dashpot.
  *
- * differs: where the sum is at its bound the source sets the spring to the bound less c V_r; here S is clamped by
- * itself.
+ * differs: if the sum is at its bound, the source sets the spring to the bound less c V_r; here S has its own clamp.
  *
  * History: S [N/m].
  */
@@ -35,12 +34,12 @@ typedef struct par {
 
 /* One row for each of them: key, type, dimension, unit (disks|spheres), default as a scene would say it (NULL: a scene
  * must give it), least, greatest, choices, place, meaning. Scenes, the resolved case and `trundle laws` read the rows.
- * Where other laws have the same quantity, take their key: a scene says it once. */
+ * If other laws have the same quantity, take their key: then a scene gives it once. */
 static const tr_param params[] = {
     TR_ROW_MU_R(par, mu_r, NULL),
     TR_ROW_K_R(par, k_r),
     {"rolling_damping", TR_REAL, TR_DIM_NUMBER, "1", "0.3", 0, 10, NULL, offsetof(par, rolling_damping),
-     "rolling dashpot, as a share of critical damping of the pair"},
+     "rolling dashpot, as a fraction of critical damping of the pair"},
 };
 
 enum { SPRING, N_HIST };  /* numbers that a contact keeps from step to step; all 0 when it forms */
@@ -55,8 +54,8 @@ static void pair(const void *par_, const tr_pair_bodies *bodies, double *constan
 }
 
 /* One loop without branches and calls, so that it becomes vector code. It reads and writes the lanes of tr_tile, see
- * law.h. With dt = 0 it must change no history: pictures and records ask for the forces in this way. Where f_n = 0 it
- * leaves forces and history 0. */
+ * law.h. With dt = 0 it must change no history: pictures and records ask for the forces in this way. If f_n = 0, forces
+ * and history become 0. */
 TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict data) {
     const par *p = data->par;
     const double mu_r = p->mu_r, k_dt = p->k_r * tile->dt;
@@ -75,8 +74,8 @@ TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict d
     }
 }
 
-/* For the energy ledger and the pictures: energy in the contact [N], and the bound on |m1| and |m2| [N]; of a friction
- * law that on |f_t| [N/m]. */
+/* For the energy ledger and the pictures: energy in the contact [N], and the bound on |m1| and |m2| [N]; for a friction
+ * law the bound on |f_t| [N/m]. */
 TR_VECTOR static void state(const tr_tile *restrict tile, const tr_law_data *restrict data, double *restrict energy,
                             double *restrict bound) {
     const par *p = data->par;
@@ -87,7 +86,7 @@ TR_VECTOR static void state(const tr_tile *restrict tile, const tr_law_data *res
     }
 }
 
-/* For the time step: the greatest stiffness and damping, in the coordinate of the law. Here V_r = R_eff (w1 - w2). */
+/* For the time step: the largest stiffness and damping, in the coordinate of the law. Here V_r = R_eff (w1 - w2). */
 static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *bodies) {
     const par *p = par_;
     double R_eff = tr_law_R_star(bodies->R1, bodies->R2);
@@ -109,8 +108,8 @@ const tr_law tr_law_template = {
                "moments -R_eff T on 1, +R_eff T on 2; R_eff = R1 R2/(R1 + R2), R2 at a wall",
     .differs = "Where the sum is at its bound the source sets the spring to the bound less c V_r; here S is clamped by "
                "itself.",
-    /* A test shows each claim to hold, and to fail where it is not made. Without TR_NEEDS_TIME above, independence of
-     * the rate is claimed too. */
+    /* A test shows that each claim holds, and that it fails for laws that do not make it. Without TR_NEEDS_TIME above,
+     * the law also claims to be rate-independent. */
     .claims = TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
     .n_hist = N_HIST,
     .n_pair = N_PAIR,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The registry. To add a law, copy law_template.c to a file NAME.c that defines tr_NAME, and add NAME here. The first
- * of a slot is its default. */
+ * law of a kind is its default. */
 #include "laws/law.h"
 
 #include <stdint.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* No law: a scene that chooses it has no pass, no history and no pair constant for that slot. */
+/* No law: a scene that chooses it has no pass, no history and no pair constant of that kind. */
 #include "laws/law.h"
 
 enum { ALL_CLAIMS = TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED };

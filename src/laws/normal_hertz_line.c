@@ -5,7 +5,7 @@
  *   k = dP/ddelta = pi E_star/(2 Lambda),   energy = P^2 (Lambda + 1/4)/(pi E_star)
  *   f_n = max(0, P + c v_n),   c = 2 damping_ratio sqrt(k m_eff)
  *
- * In the plane the approach has no meaning without a datum: d says how deep it is. By default, depth: 0, each disk is
+ * In the plane the approach needs a datum: d is its depth. By default, depth: 0, each disk is
  * pressed between two plates and its centre is the datum: d = 2 sqrt(R1 R2)/e, 2 R2/e at a wall, which then is rigid
  * (ibid. eq. 5.57).
  *
@@ -19,7 +19,7 @@
  * of which five terms leave 2e-18 w. Where a would reach d (w < LEAST) there is no such contact any more: P goes on
  * linearly there, so that numbers stay sane until so large an overlap is refused.
  *
- * delta -> 0: k goes to 0 as 1/ln delta, P to 0. delta <= 0: nothing. A contact ends, for the force, when f_n reaches 0.
+ * delta -> 0: k goes to 0 as 1/ln delta, P to 0. delta <= 0: nothing. The force ends when f_n reaches 0.
  */
 #include "base/vector.h"
 #include "base/math.h"
@@ -62,8 +62,9 @@ static inline double energy(const line *l, double P, double w) {
     return P * P * (0.5 * w - 0.25) / l->K;
 }
 
-/* ln x of a normal x > 0 to 2 ulp, with all its steps in vector lanes; that of libm is a call, with which the pass is not
- * vectorised, and a step of a sheared sample took about three times as long. x = m 2^k, 1/2 <= m^2 < 2, ln m = 2 artanh s = 2 (s + s^3/3 + ...), s = (m - 1)/(m + 1): 10 terms leave 3e-17. */
+/* ln x of a normal x > 0 to 2 ulp, with all its steps in vector lanes; libm's is a call, which prevents vector code: a
+ * step of a sheared sample took about three times as long. x = m 2^k, 1/2 <= m^2 < 2, ln m = 2 artanh s = 2 (s + s^3/3
+ * + ...), s = (m - 1)/(m + 1): 10 terms leave 3e-17. */
 static inline double ln(double x) {
     const uint64_t root_half = 0x3fe6a09e667f3bcd, one = 0x3ff0000000000000, two52 = 0x4330000000000000;
     uint64_t bits, number;
@@ -117,7 +118,7 @@ TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict d
     }
 }
 
-/* From the force, which needs no iteration. */
+/* From the force: no iteration. */
 static void state(const tr_tile *tile, const tr_law_data *data, double *stored, double *bound) {
     (void)bound;
     for (int i = 0; i < tile->n; i++) {
@@ -153,7 +154,7 @@ const tr_law tr_normal_hertz_line = {
                "a = sqrt(4 P R/(pi E_star)), 1/R = 1/R1 + 1/R2, d = depth\n"
                "c = 2 damping_ratio sqrt(k m_eff), k = dP/ddelta, m_eff = m1 m2/(m1 + m2)",
     .differs =
-        "Where a would exceed d the force goes on linearly. The force of the dashpot never pulls: a contact ends "
+        "Where a would exceed d the force continues linearly. The force of the dashpot never pulls: a contact ends "
         "when f_n reaches 0, not when the overlap does.",
     .claims = TR_OBJECTIVE | TR_BALANCED | TR_ENERGY_CLOSED,
     .n_pair = 2,

@@ -8,7 +8,7 @@
  * delta, the path v(s) of an impact is that of a linear spring and dashpot of damping ratio sin q = sqrt(6/5)
  * damping_ratio, hence e = exp(-(pi - 2 q) tan q). Contact radius a = sqrt(R delta).
  *
- * delta <= 0: nothing. A contact ends, for the force, when f_n reaches 0 and not when delta does.
+ * delta <= 0: nothing. The force ends when f_n reaches 0, not when delta does.
  */
 #include "base/vector.h"
 #include "base/math.h"

@@ -3,8 +3,7 @@
  *
  *   f_elastic = k_n delta,   f_n = max(0, k_n delta + c v_n),   c = 2 zeta sqrt(k_n m_eff),   m_eff = m1 m2/(m1+m2)
  *
- * delta <= 0: nothing. A contact ends, for the force, when f_n reaches 0 and not when delta does: the spring never
- * pulls.
+ * delta <= 0: nothing. The force ends when f_n reaches 0, not when delta does: the spring never pulls.
  */
 #include "base/vector.h"
 #include "laws/law.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rolling spring-slider with the forces that are conjugate to the scene's rolling_velocity, whichever it is. Source
+/* Rolling spring-slider with forces that are conjugate to the scene's rolling_velocity, for any definition. Source
  * [Wang2015 eq. 28] [Luding2008].
  *
  *   T' = T + k_r V_r dt,   T = clamp(T', -mu_r f_n, +mu_r f_n),   V_r = p1 s1 + p2 s2,   p1 = dV_r/ds1, p2 = dV_r/ds2
@@ -9,7 +9,7 @@
  *   V_r = p1 R1 w1 - p2 R2 w2 + (p1 R1 - p2 R2)/L Vt,   L = |X21|
  *
  * so T turns 1 by -p1 R1 T and 2 by +p2 R2 T and pulls 2 along t with -T (p1 R1 - p2 R2)/L, 1 with the opposite. With
- * the share s of wang's velocity and the rest, which is sliding,
+ * the part s of wang's velocity and a rest of sliding,
  *
  *   V_r = s R_eff (w1 - w2) + e (s1 - s2),   s = p1 + p2, e = g1 s - p2, R_eff = R1R2/(R1+R2)
  *
@@ -18,12 +18,11 @@
  * -T V_r; momentum and angular momentum are kept. f_r is not bounded by mu f_n, so |f_t + f_r| may exceed it. Friction
  * may have other arms (contact.arms); f_r keeps these, and so its power.
  *
- * SWITCHING. Of alonso-* p1 and p2 jump where the case changes. The step does work by the mean of the forces at its
+ * SWITCHING. For alonso-* p1 and p2 jump when the case changes. The step does work by the mean of the forces at its
  * two ends, (T p + T' p')/2, so T is stretched by the mean of the old and the new case: a switch then takes
  * k_r dt^2 (b^2 - a^2)/8, where a and b are the velocities by the old and the new case. With the new case alone it
- * would take T (a - b) dt/2, and the sum of that does not fall with dt. Where T = 0 the old case bears nothing and the
- * new one stands alone. The bound on the step is the least of all cases; it holds while a case lasts and does not
- * cover switching.
+ * would take T (a - b) dt/2, and the sum of that does not fall with dt. If T = 0, only the new case counts. The bound
+ * on the step is the smallest of all cases; it holds within a case and does not cover switching.
  *
  * History: T [N/m], p1, p2. Wall (R1 -> infinity): g1 = 1, R_eff = R2, f_r = p1 T. v -> 0: a spring, the case as it is.
  */
@@ -98,7 +97,7 @@ TR_VECTOR static void state(const tr_tile *restrict tile, const tr_law_data *res
     }
 }
 
-/* As share and rest, so that wang has the bits of wang-spring. */
+/* As part and rest, so that wang has the bits of wang-spring. */
 static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *b) {
     const par *p = par_;
     const double R1 = b->R1, R2 = b->R2, g1 = R1 != 0 ? R1 / (R1 + R2) : 1, share = b->p1 + b->p2,
@@ -114,10 +113,9 @@ const tr_law tr_rolling_conjugate_spring = {
     .table = {"conjugate-spring", "rolling spring with the force and moments conjugate to any rolling_velocity", params,
               .n = sizeof params / sizeof *params},
     .source = "[Wang2015 eq. 28] [Luding2008]",
-    .formula =
-        "T <- T + k_r V_r dt, clamped to |T| <= mu_r f_n; V_r = p1 s1 + p2 s2 by rolling_velocity\n"
-        "in all: moments -p1 R1 T on 1, +p2 R2 T on 2, force -T (p1 R1 - p2 R2)/|X21| t on 2, the opposite on 1\n"
-        "where the case of alonso-* changes in a step, p1 and p2 of V_r are the mean of both cases",
+    .formula = "T <- T + k_r V_r dt, clamped to |T| <= mu_r f_n; V_r = p1 s1 + p2 s2 by rolling_velocity\n"
+               "total: moments -p1 R1 T on 1, +p2 R2 T on 2, force -T (p1 R1 - p2 R2)/|X21| t on 2, the opposite on 1\n"
+               "if the case of alonso-* changes in a step, p1 and p2 of V_r are the mean of both cases",
     .differs =
         "The sources give every velocity to a pure pair of moments, which makes energy in closed cycles unless it is "
         "wang; the force along t is what was missing. It has no bound of its own: |f_t + f_r| may exceed mu f_n. The "

@@ -4,18 +4,18 @@
  *   M1 = -mu_r R_eq f_n w_rel/|w_rel|,   M2 = -M1,   w_rel = w1 - w2
  *   moment limiter (off unless chosen): |M| <= limiter_factor min(I1 |w1|, I2 |w2|)/dt, walls skipped
  *
- * A sign law chatters at w_rel = 0. So M1 = clamp(-I_red w*_rel/dt, -cap, +cap), 1/I_red = 1/I1 + 1/I2: what stops the
- * relative spin within this step where the cap allows it. w* is the spin that the step would end with under this
- * contact's friction torque alone, w*_1 = w1 - dt r1 Q/I1 and w*_2 = w2 - dt r2 Q/I2. Several contacts of one body do not
- * know of each other, and together would turn its spin over and over. So each stops the share of the inertias that it would
- * have if a body's z contacts had I/z each: I_red w_rel becomes w_rel/(z1/I1 + z2/I2).
+ * A sign law chatters at w_rel = 0. So M1 = clamp(-I_red w*_rel/dt, -cap, +cap), 1/I_red = 1/I1 + 1/I2: the moment that
+ * stops the relative spin within this step, if the cap allows it. w* is the spin at the end of the step with only this
+ * contact's friction torque, w*_1 = w1 - dt r1 Q/I1 and w*_2 = w2 - dt r2 Q/I2. Several contacts of one body do not
+ * know each other, and together would reverse its spin again and again. So each stops only I/z of a body with z
+ * contacts: I_red w_rel becomes w_rel/(z1/I1 + z2/I2).
  *
  * differs: R_eq, "the harmonic mean of the radii", is 2 R1R2/(R1+R2) literally and R1R2/(R1+R2) in common use: a
  * choice. The limiter's "angular momentum" is read as a moment, "the lesser of the two rotations" as the lesser of I
  * |w|. With the limiter the law is neither rate-independent nor objective, and a disk beside one at rest feels nothing.
  *
- * History: M1 [N] only so that a look with dt = 0 finds the moments of the step. w_rel -> 0: a stop without chatter.
- * Wall: I1 infinite, R_eq = 2 R2 or R2. A spin that is prescribed: I infinite, skipped by the limiter. No energy is
+ * History: M1 [N], only so that reading with dt = 0 gives the moments of the step. w_rel -> 0: a stop without chatter.
+ * Wall: I1 infinite, R_eq = 2 R2 or R2. A prescribed spin: I infinite, skipped by the limiter. No energy is
  * stored.
  */
 #include "base/vector.h"
@@ -36,11 +36,11 @@ static const tr_param params[] = {
     TR_ROW_R_EQ(par, R_eq),
     {"limiter", TR_SWITCH, TR_DIM_NUMBER, "", "no", 0, 0, NULL, offsetof(par, limiter), "moment limiter"},
     {"limiter_factor", TR_REAL, TR_DIM_NUMBER, "1", "0.08", 0, 1, NULL, offsetof(par, limiter_factor),
-     "share of the moment that stops the lesser rotation in one step"},
+     "fraction of the moment that stops the smaller rotation in one step"},
 };
 
-/* 1/I of both [1/(kg m)]; 0 where the spin is given, as that of a wall. Where both are nothing is stopped: as if they were
- * endlessly heavy, and what friction does to their spins (share 0) is nothing. */
+/* 1/I of both [1/(kg m)]; 0 if the spin is prescribed, as for a wall. If both are, no spin is stopped: they count as
+ * infinitely heavy, and friction (factor 0) does not change their spins. */
 static void pair(const void *par_, const tr_pair_bodies *bodies, double *constants) {
     (void)par_;
     bool both = bodies->on_path || (isinf(bodies->I1) && isinf(bodies->I2));
@@ -90,9 +90,8 @@ const tr_law tr_rolling_star_constant_torque = {
     .table = {"star-constant-torque", "moment mu_r R_eq f_n against the relative spin", params,
               .n = sizeof params / sizeof *params},
     .source = "[STARCCM eq. 3276]",
-    .formula =
-        "M1 = -mu_r R_eq f_n w_rel/|w_rel|, M2 = -M1, w_rel = w1 - w2; at w_rel = 0 what stops it within the step\n"
-        "limiter: |M| <= limiter_factor min(I1 |w1|, I2 |w2|)/dt, walls skipped",
+    .formula = "M1 = -mu_r R_eq f_n w_rel/|w_rel|, M2 = -M1, w_rel = w1 - w2; at w_rel = 0: stopped within the step\n"
+               "limiter: |M| <= limiter_factor min(I1 |w1|, I2 |w2|)/dt, walls skipped",
     .differs =
         "The \"harmonic mean\" R_eq is ambiguous: both readings are choices. The limiter's \"angular momentum\" is "
         "read as a moment and \"the lesser of the two rotations\" as the lesser of I |w|; it is off unless chosen, "

@@ -9,16 +9,17 @@
  *
  * k_r theta_max = mu_r R_eq f_n. When f_n falls the clamped M_k is stored; but a spring loaded at a high f_n and
  * unloaded at a lower one is softer on its way back and gives more than it took: the law is not energy-closed. The
- * ledger books the change of M_k^2/(2 k_r) under rolling, where it shows as a dissipation below zero.
+ * ledger counts the change of M_k^2/(2 k_r) as rolling, where it appears as negative dissipation.
  *
  * differs: eq. 3277's bound has lost its <=, eq. 3278 a symbol; its second branch, |M_k| above the bound, cannot be
  * reached after the clamp and is read as "at the bound". C lacks the square root in print. R_eq: see
- * rolling_star_constant_torque.c. The page gives no default for damping factor and multiplier; off, 0.3 and 1 are ours.
+ * rolling_star_constant_torque.c. The page gives no default for damping factor and multiplier; we chose off, 0.3 and 1.
  *
- * Given motion is infinite mass, and what cannot move about the contact point has no part in I_r: of a disk whose centre is
- * given I stays, for that is what turns; one whose spin is given leaves the sum; without any C = 0.
+ * A prescribed motion is infinite mass. A body that cannot move about the contact point has no part in I_r: a disk with
+ * a prescribed centre keeps I, because it still turns; a disk with a prescribed spin leaves the sum; if none is left, C
+ * = 0.
  *
- * History: M_k [N]. f_n -> 0: k_r = 0, nothing left. Wall: I_r = I2 + m2 R2^2 and R_eq = 2 R2 or R2.
+ * History: M_k [N]. f_n -> 0: k_r = 0, no moment. Wall: I_r = I2 + m2 R2^2 and R_eq = 2 R2 or R2.
  */
 #include "base/vector.h"
 #include "laws/law.h"
@@ -40,9 +41,9 @@ static const tr_param params[] = {
     TR_ROW_R_EQ(par, R_eq),
     {"damping", TR_SWITCH, TR_DIM_NUMBER, "", "no", 0, 0, NULL, offsetof(par, damping), "viscous moment"},
     {"damping_factor", TR_REAL, TR_DIM_NUMBER, "1", "0.3", 0, 10, NULL, offsetof(par, damping_factor),
-     "viscous moment, as a share of critical"},
+     "viscous moment, as a fraction of critical"},
     {"damping_multiplier", TR_REAL, TR_DIM_NUMBER, "1", "1", 0, 1, NULL, offsetof(par, damping_multiplier),
-     "share of the viscous moment that stays while the spring is at its bound"},
+     "fraction of the viscous moment that stays while the spring is at its bound"},
 };
 
 static double about_contact(double I, double m, double R) {
@@ -76,7 +77,7 @@ TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict d
     }
 }
 
-/* The bound is that of the spring and what the dashpot adds to it. */
+/* The bound is that of the spring plus the part of the dashpot. */
 static void state(const tr_tile *tile, const tr_law_data *data, double *energy, double *bound) {
     const par *p = data->par;
     for (int i = 0; i < tile->n; i++) {
@@ -103,7 +104,7 @@ const tr_law tr_rolling_star_displacement_damping = {
     .formula = "M_k <- M_k - k_r w_rel dt, |M_k| <= k_r theta_max, k_r = mu_r R_eq f_n/theta_max, w_rel = w1 - w2\n"
                "M_d = -damping_factor C w_rel (damping_multiplier times that at the bound), C = 2 sqrt(I_r k_r)\n"
                "1/I_r = 1/(I1 + m1 R1^2) + 1/(I2 + m2 R2^2); M1 = M_k + M_d, M2 = -M1\n"
-               "centre given: I alone; spin given: no term; no term left: M_d = 0",
+               "prescribed centre: only I; prescribed spin: no term; without terms: M_d = 0",
     .differs =
         "Eq. 3277's bound has lost its <=, eq. 3278 a symbol, C its root; the second branch of eq. 3278 cannot be "
         "reached after the clamp and is read as \"at the bound\". R_eq is ambiguous: both readings are choices. "

@@ -3,19 +3,19 @@
  *
  *   M_p = -mu_r f_n |r_c| w_p/|w_p|
  *
- * |r_c|: arm from the centre of p to the contact point, r1 or r2. As documented it is neither objective (w_p is the
- * absolute spin: disks that only turn with an observer are braked) nor balanced (each body has its own moment: angular
- * momentum is made and lost).
+ * |r_c|: arm from the centre of p to the contact point, r1 or r2. As documented it is not objective (w_p is the
+ * absolute spin: disks that only turn with an observer are braked) and not balanced (each body has its own moment:
+ * angular momentum is made and lost).
  *
- * A sign law chatters at w = 0. So M_p = clamp(-I_p w*_p/dt, -cap, +cap): what stops the spin within this step where
- * the cap allows it. w*_p is the spin that the step would end with under this contact's friction torque -r_p Q alone:
- * I_p w*_p/dt = I_p w_p/dt - r_p Q. Of I_p each of the z contacts that a body may have stops I_p/z, so that together they do not turn
- * the spin over.
+ * A sign law chatters at w = 0. So M_p = clamp(-I_p w*_p/dt, -cap, +cap): the moment that stops the spin within this
+ * step, if the cap allows it. w*_p is the spin at the end of the step with only this contact's friction torque -r_p Q:
+ * I_p w*_p/dt = I_p w_p/dt - r_p Q. Each of the z possible contacts of a body stops I_p/z, so that together they do not
+ * reverse the spin.
  *
  * differs: eq. 3275 is printed without the minus.
  *
- * History: M1, M2 [N] only so that a look with dt = 0 finds the moments of the step. A spin that is given: I infinite, the
- * whole moment against it, however slow it is. w -> 0: a stop without chatter. Wall: no arm, no moment. No energy is
+ * History: M1, M2 [N], only so that reading with dt = 0 gives the moments of the step. A prescribed spin: I infinite,
+ * the whole moment against it at any speed. w -> 0: a stop without chatter. Wall: no arm, no moment. No energy is
  * stored.
  */
 #include "base/vector.h"
@@ -32,8 +32,8 @@ static const tr_param params[] = {
     TR_ROW_MU_R(par, mu_r, "0.001"),
 };
 
-/* Shares of the inertias [kg m], and 1 where friction changes the spin. One that is given is not stopped by anything: as
- * if the body were endlessly heavy, short of infinity, for at rest it has no moment. */
+/* Parts of the inertias [kg m], and 1 if friction changes the spin. A prescribed spin is not stopped: the body counts
+ * as very heavy, but not infinitely, because at rest it has no moment. */
 static void pair(const void *par_, const tr_pair_bodies *bodies, double *constants) {
     (void)par_;
     bool given1 = bodies->on_path || isinf(bodies->I1), given2 = bodies->on_path || isinf(bodies->I2);
@@ -81,7 +81,7 @@ const tr_law tr_rolling_star_force_proportional = {
               .n = sizeof params / sizeof *params},
     .source = "[STARCCM eq. 3275]",
     .formula = "M_p = -mu_r f_n |r_c| w_p/|w_p| on each body p, |r_c| its arm to the contact point\n"
-               "at w_p = 0 what stops the spin within the step",
+               "at w_p = 0 the moment that stops the spin within the step",
     .differs = "Eq. 3275 is printed without the minus. Neither objective nor balanced, as documented by its source.",
     .claims = TR_ENERGY_CLOSED,
     .needs = TR_NEEDS_Z,

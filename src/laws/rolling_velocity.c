@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What "rolling velocity" means, by author: the table that everything else reads. They answer different questions.
+/* "Rolling velocity" by author: all other code reads this table. The definitions answer different questions.
  * Source [Wang2015 eqs. 11, 16, 19a, 25, 26] [Kuhn2014 eq. 5].
  *
  * To add a definition, add a row. A row gives the velocity V as a formula in
@@ -8,12 +8,12 @@
  *   g1       R1/(R1+R2), 1 at a wall
  *   R2, w1, w2   radius of 2 [m] and the spins [rad/s], in the frame of a wall
  *
- * and its partial derivatives dV/ds1 and dV/ds2. V must be homogeneous of degree 1: V = s1 dV/ds1 + s2 dV/ds2. Where
- * the formula has cases the derivatives are those of the case that holds. The derivatives give the law conjugate-spring
- * its forces and the bound on the step; tests/laws/test_definitions.c compares them with finite differences.
+ * and its partial derivatives dV/ds1 and dV/ds2. V must be homogeneous of degree 1: V = s1 dV/ds1 + s2 dV/ds2. If the
+ * formula has cases, the derivatives are those of the present case. The derivatives give the forces of conjugate-spring
+ * and the bound on the step; tests/laws/test_definitions.c compares them with finite differences.
  *
- * differs: Wang does not print model 2; "zero when the objective velocities have different signs" is all that is said,
- * so both readings are offered. At a wall wang gives s2 = -R2 w.
+ * differs: Wang does not print model 2, only "zero when the objective velocities have different signs". So both
+ * readings are here. At a wall wang gives s2 = -R2 w.
  */
 #include "laws/velocity_rows.h"
 
@@ -45,7 +45,7 @@
       "-(s1+s2)/2: material through the contact, along t", -0.5 * (s1 + s2), -0.5, -0.5)
 
 #define OUT v_r
-/* What a formula may use, of contact i. */
+/* Variables for a formula, of contact i. */
 #define LANE(tile, i)                                                                                                  \
     const double s1 = (tile)->s1[i], s2 = (tile)->s2[i], g1 = (tile)->g1[i], R2 = (tile)->R2[i], w1 = (tile)->w1[i],   \
                  w2 = (tile)->w2[i];                                                                                   \

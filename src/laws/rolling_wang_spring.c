@@ -5,8 +5,8 @@
  *   M1 = -R_eff T,   M2 = +R_eff T,   R_eff = R1 R2/(R1+R2)
  *
  * T is a quasi-force [N/m] (history); the two bodies feel opposite moments and no force. V_r: the scene's rolling
- * velocity. With wang the power is -T V_r exactly. With the other definitions it is not: driven around a closed cycle of
- * sliding and rolling, bagi-kuhn makes or loses energy; the ledger books what it makes apart from the net.
+ * velocity. With wang the power is -T V_r exactly. With the other definitions it is not: driven around a closed cycle
+ * of sliding and rolling, bagi-kuhn makes or loses energy; the ledger counts made energy separately from the net.
  *
  * differs: eq. 28 compares a torque with a force and stops incrementing at the bound, which locks; here the trial value
  * is clamped. The lever is not printed by Wang; R_eff makes T conjugate to V_r. At a wall R_eff = R2.

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* What "sliding velocity" means, by author: the table that everything else reads. Friction uses the scene's arms; the
- * others are to compare. Source [Wang2015 eqs. 12, 19b, 23-24, 27].
+/* "Sliding velocity" by author: all other code reads this table. Friction uses the scene's arms; the others are for
+ * comparison. Source [Wang2015 eqs. 12, 19b, 23-24, 27].
  *
- * To add a definition, add a row; rolling_velocity.c says what is in it. Here the formula may also use
+ * To add a definition, add a row; rolling_velocity.c explains its entries. Here the formula may also use
  *
  *   L        |X21|, and R1 + R2 for it at a wall
  *   R1, R2, w1, w2, Vt, delta   radii, spins, velocity of 2 relative to 1 along t, overlap; at a wall R1 = w1 = 0
@@ -32,7 +32,7 @@
       0.5 * (s1 - s2), 0.5, -0.5)
 
 #define OUT v_s
-/* What a formula may use, of contact i. */
+/* Variables for a formula, of contact i. */
 #define LANE(tile, i)                                                                                                  \
     const double s1 = (tile)->s1[i], s2 = (tile)->s2[i], g1 = (tile)->g1[i], R1 = (tile)->R1[i], R2 = (tile)->R2[i],   \
                  w1 = (tile)->w1[i], w2 = (tile)->w2[i], L = tr_tile_length(tile, i),                            \

@@ -2,9 +2,10 @@
 /* From the rows of a table of definitions to its passes and its array. The file that includes this has
  *
  *   OUT             the lane of the tile that gets the velocity: v_r or v_s
- *   LANE(tile, i)   declares what a formula may use, of contact i
+ *   LANE(tile, i)   declares the variables for a formula, of contact i
  *
- * and rows X(function, name, column of `trundle measures`, head of its card, claims, source, formula, V, dV/ds1, dV/ds2). */
+ * and rows X(function, name, column of `trundle measures`, head of its card, claims, source, formula, V, dV/ds1,
+ * dV/ds2). */
 #ifndef TR_VELOCITY_ROWS_H
 #define TR_VELOCITY_ROWS_H
 
