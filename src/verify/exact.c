@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Group `exact`: the registry. To add a verification, write its function in a file, name it and give it a row here. */
+/* Group `exact`: the registry. To add a verification, write its function in a file, and add its name and a row here. */
 #include "verify/groups.h"
 
 typedef bool tr_verify_this(tr_verify *v, tr_status *st);

@@ -15,8 +15,8 @@ bool tr_exact_row(tr_verify *v, const char *quantity, const char *unit, double c
 bool tr_exact_row_and(tr_verify *v, const char *quantity, const char *unit, double computed, double reference,
                       double tolerance, const char *reason, const char *outcome, tr_status *st);
 
-/* Drives the first law of a case of kind contact: state at the end of each segment, at most n of them. pair: of the case;
- * may be NULL. */
+/* Drives the first law of a case of kind contact: state at the end of each segment, at most n of them. pair: of the
+ * case; may be NULL. */
 bool tr_exact_path(const char *text, tr_contact_state *end, int n, tr_scene_pair *pair, tr_status *st);
 
 /* Gives a world whose disks are set the laws of `contact: {...}` of a case. */

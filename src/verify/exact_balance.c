@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Balances of many: linear and angular momentum of free disks that collide, the energy of them and of a sheared packing. */
+/* Balances of many: linear and angular momentum of free disks that collide, the energy of them and of a sheared
+ * packing. */
 #include "core/pipeline.h"
 #include "verify/exact.h"
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* What friction laws say of themselves: the energy that the bed of sliders holds, and what creep takes off the sliding.
+/* Friction laws: the energy in the bed of sliders, and the part of the sliding that creep takes off.
  *
  * Energy. The traction of a pushed contact is mu (p(P) - p(P1)) where Q = mu (P - P1). Turned back from there at
  * constant P, by 2 mu (P - P2), it is mu (2 p(P2) - p(P) - p(P1)). Such sums of Hertz's pressures p do work on sums of
- * Hertz's displacements w, for the kernel along the surface is that across it. With U(P) = P^2 (Lambda + 1/4)/(pi
+ * Hertz's displacements w, because the kernel along the surface is that across it. With U(P) = P^2 (Lambda + 1/4)/(pi
  * E_star), the work that presses the bodies, and P_i <= P_j:
  *
  *   (1/2) int p(P_i) w(P_j) dx = U(P_i) + P_i (delta(P_j) - delta(P_i))/2
@@ -83,7 +83,7 @@ static bool energy_row(tr_verify *v, tr_pairs_tile *p, const char *quantity, con
     return tr_exact_row(v, quantity, "1", worst, 0, 1e-9, NAN, "rounding of sums that cancel; pieces keep 1e-12", st);
 }
 
-/* Pushed until all slips, Q is at the bound that the law tells, mu P. */
+/* Pushed until all slips, Q is at the declared bound, mu P. */
 static bool bound_row(tr_verify *v, tr_pairs_tile *p, tr_status *st) {
     tr_lane energy, bound;
     tr_law_data d = data_of(p);
@@ -123,8 +123,8 @@ bool tr_exact_bed_energy(tr_verify *v, tr_status *st) {
 
 /* ---- creep */
 
-/* Rolls on with a creepage that is below F(1) of every pair: after each step the sums of sliding and of what creep
- * takes off it. */
+/* Rolls on with a creepage below F(1) of every pair: after each step the sums of sliding and of the part that creep
+ * takes off. */
 static void roll(tr_pairs_tile *p, int steps, double way, double *slid, double *crept) {
     const double v = 1;
     tr_lane u;

@@ -9,7 +9,7 @@
  *            directions.
  *   drag     The drag of compaction acts against the flow: disks that follow the cell feel nothing and keep x/L, the c
  *            of others falls by (1 - drag dt) L/L' in each step.
- *   hold     The servo holds what it is asked to hold, the lateral or the mean stress. */
+ *   hold     The servo holds the wanted stress, lateral or mean. */
 #include "core/pipeline.h"
 #include "verify/exact.h"
 
@@ -156,8 +156,8 @@ enum { SAMPLE = 30 };
     "compaction: {pressure: 160 kPa, inertial_number: 0.1, unbalanced: 1e-2}\n"                                        \
     "shear: {inertial_number: 1e-3, strain_end: 0.04, hold: "
 
-/* pushed: the first disk is given a velocity of its own, of which *left is what is left, and *want what is to be left;
- * *off: the furthest way of another against the flow, over the side. */
+/* pushed: the first disk gets its own velocity; *left is its remaining part, *want the expected part; *off: the largest
+ * way of another disk against the flow, over the side. */
 static bool drag(tr_biaxial *b, double *off, double *left, double *want, tr_status *st) {
     const double pushed = 0.01;
     tr_world *w = &b->world;
@@ -171,7 +171,7 @@ static bool drag(tr_biaxial *b, double *off, double *left, double *want, tr_stat
         ok = tr_biaxial_compact(b, 1, &unbalanced, &done, st);
         *want *= 1 - b->drag * w->dt;
     }
-    *off = w->contact_updates > 0 ? NAN : 0; /* then there is another force */
+    *off = w->contact_updates > 0 ? NAN : 0; /* then another force acts */
     for (int i = 1; i < SAMPLE; i++)
         for (int k = 0; k < 2; k++) {
             double turns = w->disks.pos[4 * i + k] / w->cell.side[k] - x0[i][k] / L0;

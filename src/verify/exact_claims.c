@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* What the laws claim, of every law of the registry: the largest violation among those that claim it is rounding, the least among
- * those that do not is seen. And the cycle of power conjugacy: +du, +dth1, -du, -dth1 of a linear rolling spring makes
- * nothing if its forces are the transpose of its velocity; bagi-kuhn with moments alone makes
- * k_r R_eff (R2 - R1)/(2|X21|) du dth1. */
+/* The claims of every law of the registry: the largest violation of laws that claim it is rounding, the smallest
+ * violation of the others is seen. And the cycle of power conjugacy: +du, +dth1, -du, -dth1 of a linear rolling spring
+ * makes nothing if its forces are the transpose of its velocity; bagi-kuhn with moments only makes k_r R_eff (R2 -
+ * R1)/(2|X21|) du dth1. */
 #include "verify/exact.h"
 #include "verify/exact_tile.h"
 
@@ -12,7 +12,7 @@
 #include <string.h>
 
 enum { LEGS = 8, PARTS = 30, STEPS = LEGS * PARTS, COORDINATES = 4, MANY = 40 };
-static const double DT = 1e-5, SEEN = 1e-4; /* a violation that is none of rounding */
+static const double DT = 1e-5, SEEN = 1e-4; /* a violation larger than rounding */
 
 typedef struct bench {
     tr_pairs_tile a, b;
@@ -56,7 +56,8 @@ static double against(bench *x, int slot, const tr_law *law, double speed, doubl
     walk(&x->a, speed, 0, x->felt[0]), walk(&x->b, speed * faster, W, x->felt[1]);
     return difference(x);
 }
-/* A law that depends on the rate may be at its bound all the way at the first speed; it has slower ones to show it. */
+/* A law that depends on the rate may be at its bound all the way at the first speed; slower speeds show the
+ * dependence. */
 static double of_rate(bench *x, int slot, const tr_law *law) {
     double found = against(x, slot, law, 1, 2, 0);
     for (double speed = 0.1; speed > 1e-7 && found <= SEEN && !(tr_law_claims(law) & TR_RATE_INDEPENDENT); speed *= 0.1)

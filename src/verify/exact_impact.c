@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* Impacts of two free disks (or spheres), and of one on a wall, against closed forms.
  *
- * Normal, spring and dashpot of ratio z = sin q, w = sqrt(k/m_eff), delta'' = -2 z w delta' - w^2 delta. Here a contact ends
- * when its force reaches 0, t = (pi - 2q)/(w cos q), e = exp(-z w t). The other rule in use, overlap 0, lets the force pull:
- * t = pi/(w cos q), e = exp(-pi tan q).
- * Oblique: along t a contact moves m_eff/3 (1 from translation, 2 from the spins of disks). Without slip or damping V_s turns to
- * cos(pi sqrt(3 k_t/k_n)) of itself; the spring then still holds energy. With slip from the first to the last step the impulse
- * is mu (1 + e) m_eff v_n: V_s changes by 3 mu (1 + e) v_n, of a disk on a wall v_t by mu (1 + e) v_n and the spin by 2/R
- * times that. */
+ * Normal, spring and dashpot of ratio z = sin q, w = sqrt(k/m_eff), delta'' = -2 z w delta' - w^2 delta. Here a contact
+ * ends when its force reaches 0, t = (pi - 2q)/(w cos q), e = exp(-z w t). The other rule in use, overlap 0, lets the
+ * force pull: t = pi/(w cos q), e = exp(-pi tan q).
+ * Oblique: along t a contact moves m_eff/3 (1 from translation, 2 from the spins of disks). Without slip or damping V_s
+ * turns to cos(pi sqrt(3 k_t/k_n)) of itself; the spring then still holds energy. With slip from the first to the last
+ * step the impulse is mu (1 + e) m_eff v_n: V_s changes by 3 mu (1 + e) v_n, of a disk on a wall v_t by mu (1 + e) v_n
+ * and the spin by 2/R times that. */
 #include "verify/exact.h"
 #include "verify/exact_strike.h"
 
@@ -21,7 +21,7 @@ typedef struct wanted {
     const char *reason, *outcome;
 } wanted;
 
-/* With these the error does not fall with an order that two steps can show. */
+/* With these, two steps cannot show the order of the error. */
 static const char whole_steps[] = "a contact lasts a whole number of steps",
                   loading[] =
                       "friction's spring takes a time to its bound, longer where a dashpot makes the bound jump",
@@ -30,7 +30,7 @@ static const char first_order[] =
     "first order: the dashpot's velocity is half a step old, its force begins with a jump",
                   second_order[] = "second order: leapfrog keeps the energy of a spring but for the kinks at both ends";
 
-/* At 400 steps in the contact; order against 200, where the step is the cause of the error. */
+/* At 400 steps in the contact; order against 200, if the step is the cause of the error. */
 static bool row(tr_verify *v, const tr_blow *b, const wanted *w, tr_status *st) {
     double coarse = NAN, fine = NAN;
     if (!tr_verify_go_on(v, st) || !tr_strike_farthest(b, 200, w->what, w->exact, &coarse, st) ||
@@ -72,7 +72,8 @@ bool tr_exact_impact(tr_verify *v, tr_status *st) {
     return true;
 }
 
-/* The overlap at which a line contact holds the energy E: int P ddelta = P^2 (Lambda + 1/4)/(pi E*), Lambda = ln(2d/a). */
+/* The overlap at which a line contact holds the energy E: int P ddelta = P^2 (Lambda + 1/4)/(pi E*), Lambda =
+ * ln(2d/a). */
 static double line_peak(double E, double E_star, double R_star, double depth) {
     double low = 0, high = M_PI * E_star * depth * depth / R_star; /* Lambda = 0 */
     for (int i = 0; i < 200; i++) {
@@ -85,8 +86,8 @@ static double line_peak(double E, double E_star, double R_star, double depth) {
     return low;
 }
 
-/* All of the energy is in the contact: springs v sqrt(k m_eff); spheres [Johnson1985 sec. 11.4] delta = (15 m_eff v^2/(16 E*
- * sqrt(R)))^(2/5), P = (4/3) E* sqrt(R) delta^(3/2). */
+/* All of the energy is in the contact: springs v sqrt(k m_eff); spheres [Johnson1985 sec. 11.4] delta = (15 m_eff
+ * v^2/(16 E* sqrt(R)))^(2/5), P = (4/3) E* sqrt(R) delta^(3/2). */
 bool tr_exact_peak(tr_verify *v, tr_status *st) {
     const double E_star = 1e9, R_star = TR_BLOW_RADIUS / 2, depth = 0.008, h = 1.0 / 400;
     tr_blow spring = {.contact = "k_n: 1e6, damping_ratio: 0"};
@@ -186,7 +187,7 @@ bool tr_exact_damped(tr_verify *v, tr_status *st) {
     return true;
 }
 
-/* Undamped, law by law, at angles from steep to grazing and any spin: the most that is left of the energy. */
+/* Undamped, law by law, at angles from steep to grazing and any spin: the largest remaining energy. */
 bool tr_exact_grazing(tr_verify *v, tr_status *st) {
     static const char *const law[][2] = {{"coulomb-spring", "k_t: 5e5"},
                                          {"coulomb-spring", "k_t: 1e6, rolling: wang-spring, mu_r: 0.3"},

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* Statements of [Kuhn2014] that are numbers. */
+/* Numbers in the text of [Kuhn2014]. */
 #include "verify/exact.h"
 
 #include <stdio.h>
 
 /* ---- the size of contacts
  *
- * A packing of equal spheres at the pressure p, z contacts to a sphere, solid fraction phi: from the mean of force times branch,
- * P = 4 pi R^2 p/(z phi). Table 2, quartz: G = 29 GPa, nu = 0.15 (E_star = G/(1 - nu)), void ratio 0.513, 1.86 contacts per
- * sphere (z = 3.72). The table's spheres are of many sizes. */
+ * A packing of equal spheres at the pressure p, z contacts to a sphere, solid fraction phi: from the mean of force
+ * times branch, P = 4 pi R^2 p/(z phi). Table 2, quartz: G = 29 GPa, nu = 0.15 (E_star = G/(1 - nu)), void ratio 0.513,
+ * 1.86 contacts per sphere (z = 3.72). The table's spheres are of many sizes. */
 static bool size(double pressure, double *a_over_R, double *half_overlap, tr_status *st) {
     const double R = 1e-3, z = 2 * 1.86, phi = 1 / 1.513, P = 4 * M_PI * R * R * pressure / (z * phi);
     char text[300];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The inside of a line contact while the normal force changes, while it rolls the other way, and how far it slips.
+/* The inside of a line contact: with a changing normal force, rolling the other way, and its slip.
  * X = x/a, delta(P) = (2 P/(pi E_star)) (ln(2d/a) + 1/2).
  *
  *   oblique   Loaded from 0 with Q = l P, l < mu, nothing slips: tau = l p, the sliding is l delta(P) [Mindlin1953].
@@ -43,7 +43,7 @@ static double pressure(double load, double x, double h) {
 
 /* ---- the normal force changes */
 
-/* What is wrong in the end: mean |tau - want| over mu p0, and the sliding over what it should be, less 1. */
+/* Errors at the end: mean |tau - want| over mu p0, and the sliding over its right value, less 1. */
 typedef struct wrong {
     double tau, du;
 } wrong;
@@ -89,8 +89,7 @@ static bool released(int steps, wrong *w, tr_status *st) {
     return ok;
 }
 
-/* Rolled on by 4a, then P grows by a millionth and nothing moves: how far the traction is off that of before, mean
- * over mu p0. */
+/* Rolled on by 4a, then P grows by a millionth and nothing moves: the change of the traction, mean over mu p0. */
 static bool held(double *off, tr_status *st) {
     enum { N = 100 };
     const double a = width(P), h = 2 * a / N, xi = 0.4 * pair.mu * a / pair.R_star;

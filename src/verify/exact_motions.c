@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Definitions of rolling and sliding under other observers, and errata of the sources: the right number, what the code has, and in
- * words what the formula gives as it is printed. tests/README.md has the list. */
+/* Definitions of rolling and sliding under other observers, and errata of the sources: the right number, the number of
+ * the code, and in words the number of the printed formula. tests/README.md has the list. */
 #include "verify/exact.h"
 
 #include "base/alloc.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The inside of a line contact: the half-plane against Cattaneo and Carter, the way between them [Kalker1971], the brush
- * against its closed form: rolling from rest at constant creepage, material at x has been stretched by xi min(L, x + a), so tau =
- * min(mu p, k_w xi min(L, x + a)). */
+/* The inside of a line contact: the half-plane against Cattaneo and Carter, the way between them [Kalker1971], the
+ * brush against its closed form: rolling from rest at constant creepage, material at x has been stretched by xi min(L,
+ * x + a), so tau = min(mu p, k_w xi min(L, x + a)). */
 #include "verify/exact.h"
 
 #include "patch/brush.h"
@@ -22,8 +22,8 @@ static bool slide(tr_half_plane *o, double du, double dr, tr_status *st) {
     return tr_half_plane_step(o, &(tr_patch_step){.P = P, .dr = dr, .du = du}, st);
 }
 
-/* Largest difference from Cattaneo's traction, a mean over each element, farther than three elements from the ends of stick,
- * where it has a root that no element follows; of mu p0. */
+/* Largest difference from Cattaneo's traction, a mean over each element, farther than three elements from the ends of
+ * stick, where its root is too steep for an element; over mu p0. */
 static double off_cattaneo(const tr_patch_state *s, double share) {
     enum { POINTS = 200 };
     double most = 0, c = sqrt(1 - share), full = pair.mu * tr_patch_p0(&pair, P);
@@ -66,7 +66,7 @@ bool tr_exact_patch_cattaneo(tr_verify *v, tr_status *st) {
                         "(1/200)^1.5", st);
 }
 
-/* Rolled at Carter's creepage by 12 times 2a: Q/(mu P), and how far the traction is off Carter's, mean of mu p0. */
+/* Rolled at Carter's creepage by 12 times 2a: Q/(mu P), and the mean error of the traction, over mu p0. */
 static bool rolled(int n, double share, double *got, double *off, tr_status *st) {
     double h = 2 * tr_patch_a(&pair, P) / n, xi = tr_carter_creepage(&pair, P, share);
     tr_half_plane *o = tr_half_plane_new(&pair, n, st);
@@ -98,7 +98,7 @@ bool tr_exact_patch_carter(tr_verify *v, tr_status *st) {
     return true;
 }
 
-/* L1 distance from the steady state (of the same grid, after 10a) that is left at a roll of 2a, of that at the start. */
+/* L1 distance from the steady state (of the same grid, after 10a) left at a roll of 2a, over that at the start. */
 static bool distance(double share, double *left, tr_status *st) {
     enum { N = 200 };
     double begin[N], middle[N], first = 0, now = 0;

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Friction laws along prescribed paths of one contact, against the closed forms of their equations and of the theories they
- * stand for.
+/* Friction laws along prescribed paths of one contact, against the closed forms of their equations and theories.
  *
  * At constant P and creepage xi from rest, with q = 1 - y^p and al = xi/F0 - 1, creep laws have [Kuhn2014 eqs. 11, 16]
  *   (1 - y) + al ln((y + al)/(1 + al)) = tau
@@ -59,7 +58,7 @@ static double against(double q0, double ratio, double tau) {
     return -transient(ratio - 1, tau - to_0, 2); /* for tau > to_0 */
 }
 
-/* Rolling alone: w = 1 - sqrt(1 - q), ln w - w falls by tau. */
+/* Only rolling: w = 1 - sqrt(1 - q), ln w - w falls by tau. */
 static double relaxed(double q0, double tau) {
     double w0 = 1 - sqrt(1 - q0), low = 0, high = w0;
     for (int i = 0; i < 200; i++) {
@@ -107,7 +106,8 @@ bool tr_exact_dahlberg(tr_verify *v, tr_status *st) {
 
 /* ---- cattaneo-mindlin */
 
-/* A reversal is the virgin curve at twice its scale (Masing); back at its start the loop is closed and forgotten. */
+/* A reversal is the virgin curve at twice its scale (Masing); back at its start the loop is closed and leaves no
+ * memory. */
 bool tr_exact_cattaneo(tr_verify *v, tr_status *st) {
     static const char *const quantity[] = {"Q/(mu P) loaded", "unloaded, then reversed", "loaded again, not yet closed",
                                            "loop closed", "beyond: the virgin curve"};

@@ -44,7 +44,7 @@ static void thrown(char text[1600], double k_n) {
         k_n);
 }
 
-/* The contact is a spring: the rigid disk is the limit of k_n to infinity, with the step that goes with it. */
+/* The contact is a spring: the rigid disk is the limit of k_n to infinity, with its smaller step. */
 bool tr_exact_slip_to_roll(tr_verify *v, tr_status *st) {
     static const char *const quantity[] = {"time when slipping ends", "speed then", "share of the energy lost", NULL};
     char text[1600];
@@ -65,8 +65,8 @@ bool tr_exact_slip_to_roll(tr_verify *v, tr_status *st) {
 
 /* ---- incline */
 
-/* The law is a moment `moment` mu_r N R and a force `force` mu_r N up the slope. Friction F makes the rest of the spin, m R a/2 =
- * F R - moment mu_r N R, m a = m g sin - F - force mu_r N. So, with N = m g cos:
+/* The law is a moment `moment` mu_r N R and a force `force` mu_r N up the slope. Friction F makes the rest of the spin,
+ * m R a/2 = F R - moment mu_r N R, m a = m g sin - F - force mu_r N. So, with N = m g cos:
  *   rolls from tan(alpha) = (moment + force) mu_r with (2/3) g (sin - (moment + force) mu_r cos),
  *   slips from tan(alpha) = 3 mu - (2 moment - force) mu_r with g (sin - (mu + force mu_r) cos). */
 static const struct resistance {

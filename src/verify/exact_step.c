@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The bound on the step, 2/w of the stiffest mode, against the largest eigenvalue w^2 of M^-1/2 K M^-1/2: in closed form for a
- * chain of N free disks, w = 2 sqrt(k/m) cos(pi/(2N)), by power iteration for lattices, whose K is put together here from
- * the definitions of the contact velocities. Then leapfrog itself, just below and just above. */
+/* The bound on the step, 2/w of the stiffest mode, against the largest eigenvalue w^2 of M^-1/2 K M^-1/2: in closed
+ * form for a chain of N free disks, w = 2 sqrt(k/m) cos(pi/(2N)), by power iteration for lattices, with K assembled
+ * here from the definitions of the contact velocities. Then leapfrog itself, just below and just above. */
 #include "core/pipeline.h"
 #include "verify/exact.h"
 
@@ -91,7 +91,8 @@ static bool compare(tr_verify *v, const lattice *l, tr_status *st) {
         char name[80], said[80];
         snprintf(name, sizeof name, "bound, %s", l->name);
         snprintf(said, sizeof said, "%.4f of the exact %.6g s; asked: 0.68 to 1", bound / exact, exact);
-        /* Shares of a mass are equal: 1/sqrt(2) in a lattice of normal springs, somewhat less where it has free edges. */
+        /* The parts of a mass are equal: 1/sqrt(2) in a lattice of normal springs, somewhat less where it has free
+         * edges. */
         ok = tr_verify_outcome(v, name, said, bound > 0.68 * exact && bound <= exact * (1 + 1e-12), st);
         if (chain)
             ok = ok &&

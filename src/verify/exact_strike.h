@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* One impact of two free disks (or spheres), or of one on a wall; overlaps of 1e-6 R at tr_blow_small_speed, so that the
- * geometry is that of the closed forms to this order. */
+/* One impact of two free disks (or spheres), or of one on a wall; overlaps of 1e-6 R at tr_blow_small_speed, so that
+ * the geometry is that of the closed forms to this order. */
 #ifndef TR_VERIFY_EXACT_STRIKE_H
 #define TR_VERIFY_EXACT_STRIKE_H
 

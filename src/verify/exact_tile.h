@@ -25,8 +25,8 @@ typedef struct tr_pair_motion {
     double delta, v_n, Vt, w1, w2, W;
 } tr_pair_motion;
 
-/* All histories 0. The law under test is alone with a normal spring; its parameters are the defaults or, where there are none, a
- * stiffness 2e6 and a number 0.3. */
+/* All histories 0. The law under test has only a normal spring beside it; its parameters are the defaults or, without
+ * defaults, a stiffness 2e6 and a number 0.3. */
 void tr_pairs_set(tr_pairs_tile *p, int slot, const tr_law *law);
 void tr_pairs_drive(tr_pairs_tile *p, int i, tr_pair_motion m);
 void tr_pairs_run(tr_pairs_tile *p, double dt);

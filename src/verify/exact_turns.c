@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Moments, spins and what turns, against closed forms.
+/* Moments, spins and turning gravity, against closed forms.
  *
  *   sign-laws  A spin that the cap allows to stop is stopped within the step, friction's torque of that step included.
  *              Force proportional: I w' = I w + (M - r Q) dt = 0 of each body. Constant torque: the same of w1 - w2.
@@ -104,7 +104,7 @@ static bool limit_row(tr_verify *v, double R2, tr_status *st) {
              &w, "k_n: 1e3, mu: 1, k_t: 4e6, rolling: conjugate-spring, rolling_velocity: bagi-kuhn, mu_r: 1, k_r: 1e7",
              0, st) &&
          tr_step_forces(&w, st);
-    /* The law takes the largest arms, R1 and R2 for r1 and r2: delta/L is 3e-4 */
+    /* The law takes the largest arms, R1 and R2 instead of r1 and r2: delta/L is 3e-4 */
     double want = pair_limit(R1, R2, delta, 4e6, 1e7), got = ok ? tr_timestep_contacts(&w).dt : NAN;
     tr_world_free(&w);
     return ok && tr_exact_row(v, R2 > R1 ? "limit of the step, R2 = 3 R1" : "limit of the step, R2 = R1/2", "s", got,

@@ -8,7 +8,7 @@
 extern const tr_verification tr_verify_exact[], tr_verify_precision[], tr_verify_stability[];
 extern const int tr_n_verify_exact, tr_n_verify_precision, tr_n_verify_stability;
 
-/* Number i over all groups; NULL: there are no more. */
+/* Number i over all groups; NULL: no more. */
 const tr_verification *tr_verification_at(int i);
 
 #endif

@@ -55,7 +55,7 @@ static bool predicted(tr_world *world, int64_t n, tr_status *st) {
     return ok;
 }
 
-/* Drifts and kicks in turn, as shares of the step. */
+/* Drifts and kicks in turn, as fractions of the step. */
 static bool compose(tr_world *world, int64_t n, int stages, const double *drift, const double *kick, tr_status *st) {
     const tr_disks *d = &world->disks;
     if (!tr_step_forces(world, st)) return false;

@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* The residual strength of small samples: does it depend on what is chosen for the computer's sake, the inertial number I, the
- * stiffness ratio kappa = k_n/pressure and the step? And what does a digit of it cost?
+/* The residual strength of small samples: does it depend on numbers that are chosen to save computer time: the inertial
+ * number I, the stiffness ratio kappa = k_n/pressure and the step? And what does a digit cost?
  *
- * sin phi = (s1 - s2)/(s1 + s2) of the mean stresses over 8 to 15 % of strain; 120 disks, cases/biaxial.yaml otherwise. Each variant
- * shears the same 12 seeds. Differences are paired by seed; intervals are those of Student, 95 %, over the seeds.
+ * sin phi = (s1 - s2)/(s1 + s2) of the mean stresses over 8 to 15 % of strain; 120 disks, cases/biaxial.yaml otherwise.
+ * Each variant shears the same 12 seeds. Differences are paired by seed; intervals are those of Student, 95 %, over the
+ * seeds.
  *
- * One seed of 400 disks scatters by 0.045 (one standard deviation, known from trials by another program), one of 120 by sqrt(400/120)
- * times that, 0.082. Three standard errors of a mean over 12 seeds: 0.071; of a difference: 0.10. A difference that is smaller cannot
- * be seen here: these rows find gross dependences only. That program had 0.28 without rolling resistance.
- * The same with creep (cases/biaxial-creep.yaml), against itself with other steps and another k_t.
- * In brief: 4 seeds, of creep the larger step alone, and standard errors that are sqrt(12/4) times as large.
+ * One seed of 400 disks scatters by 0.045 (one standard deviation, known from trials by another program), one of 120 by
+ * sqrt(400/120) times that, 0.082. Three standard errors of a mean over 12 seeds: 0.071; of a difference: 0.10. A
+ * difference that is smaller cannot be seen here: these rows find gross dependences only. That program had 0.28 without
+ * rolling resistance. The same with creep (cases/biaxial-creep.yaml), against itself with other steps and another k_t.
+ * In brief: 4 seeds, for creep only the larger step, and standard errors sqrt(12/4) times as large.
  */
 #include "base/student.h"
 #include "core/biaxial.h"

@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 /* Error against time: impacts, from slipping to rolling, a rolling spring.
  *
- * The reference is the exact motion of the springs, not of rigid disks: what is left is the error of the step. m is the mass of a
- * disk, I = m R^2/2.
+ * The reference is the exact motion of the springs, not of rigid disks: so the error is that of the step. m is the mass
+ * of a disk, I = m R^2/2.
  *
  *   impact        spring and dashpot, zeta = sin q, w = sqrt(k_n/m_eff); the force ends when it reaches 0:
  *                 e = exp(-2 zeta (pi/2 - q)/cos q)
  *   oblique       without slip and dashpot: Vs(end)/Vs(0) = cos(pi sqrt(3 k_t/k_n))
  *   slip to roll  Vs = v + R w obeys Vs' = -3 Q/m, u' = Vs, Q = k_t u up to mu N; W = sqrt(3 k_t/m):
- *                 Q = (k_t Vs0/W) sin Wt until it is mu N at t1; Vs = Vs1 - 3 (mu N/m) (t - t1) until 0 at t2; from there
- *                 Q = mu N cos W(t - t2). v' = -Q/m, (R w)' = -2 Q/m
+ *                 Q = (k_t Vs0/W) sin Wt until it is mu N at t1; Vs = Vs1 - 3 (mu N/m) (t - t1) until 0 at t2; from
+ *                 there Q = mu N cos W(t - t2). v' = -Q/m, (R w)' = -2 Q/m
  *   rolling       no bound is reached: with y = R theta, x'' = -(k_t/m) (x + y),
  *   spring        y'' = -(2/m) (k_t (x + y) + k_r y); two modes
  *
- * Leapfrog is of second order, but for what a step decides: a contact that ends between two steps lasts too long or too
- * short by a part of one (oblique), and the dashpot takes the velocity of half a step ago (impact): first order.
+ * Leapfrog is of second order, with two exceptions of first order: a contact that ends between two steps lasts a part
+ * of a step too long or too short (oblique), and the dashpot takes the velocity of half a step ago (impact).
  */
 #include "verify/precision.h"
 

@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Error against time: chains without friction and dashpots, where energy is kept and fourth order may pay.
+/* Error against time: chains without friction and dashpots, where energy is constant and fourth order may pay.
  *
- *   chain-linear  8 disks between walls, pressed together so that no contact opens; the first one starts with u0 and v0. Exact by
- *                 modes, c = pi/(n + 1): u_j = sum_p (2/(n+1)) sin(jpc) sin(pc) (u0 cos w_p t + (v0/w_p) sin w_p t), w_p = 2
+ *   chain-linear  8 disks between walls, pressed together so that no contact opens; the first one starts with u0 and
+ *                 v0. Exact by modes, c = pi/(n + 1): u_j = sum_p (2/(n+1)) sin(jpc) sin(pc) (u0 cos w_p t + (v0/w_p)
+ *                 sin w_p t), w_p = 2
  *                 sqrt(k/m) sin(pc/2)
- *   chain-hertz   the same of spheres with P = (4/3) E* sqrt(R*) delta^(3/2), against an integration by Runge and Kutta here
+ *   chain-hertz   the same of spheres with P = (4/3) E* sqrt(R*) delta^(3/2), against an integration by Runge and Kutta
+ *                 here
  *   impact-chain  8 spheres that just touch, the first one thrown against the others: contacts open and close
  *
- * Energy of leapfrog. With K = (1/2) m v^(n-1/2) v^(n+1/2) a linear chain keeps K + U exactly: it may change by rounding only.
- * A Hertz chain keeps a number close to it: K + U swings by O(dt^2) and must not drift. [Hairer2003]
+ * Energy of leapfrog. With K = (1/2) m v^(n-1/2) v^(n+1/2) a linear chain keeps K + U exactly: it may change by
+ * rounding only. A Hertz chain keeps a number close to it: K + U swings by O(dt^2) and must not drift. [Hairer2003]
  */
 #include "base/alloc.h"
 #include "core/step.h"
@@ -22,8 +24,8 @@ enum { N = 8, SIZE = 2048 };
 static const double RADIUS = 0.01, DENSITY = 1000, SPEED = 0.01, STIFFNESS = 1e6, MODULUS = 1e9, LOAD = 0.5,
                     AWAY = 5e-6;
 
-/* A chain along x. wall, pair: overlaps there and between the bodies [m]; wall 0: without walls. The first body has a speed and is
- * `away` from its place. */
+/* A chain along x. wall, pair: overlaps there and between the bodies [m]; wall 0: without walls. The first body has a
+ * speed and is `away` from its place. */
 static void write_chain(char *text, const char *head, double wall, double pair, double away) {
     double x = RADIUS - wall;
     int n = snprintf(text, SIZE, "kind: bodies\n%sdisks:\n", head);

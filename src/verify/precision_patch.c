@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* Error against time: the inside of a line contact over the number of elements. X = x/a. Each error is the root mean square
- * over four loads, for it depends on where in an element the edge of stick falls.
+/* Error against time: the inside of a line contact over the number of elements. X = x/a. Each error is the root mean
+ * square over four loads, because it depends on the place of the edge of stick in an element.
  *
  *   half-plane, sliding  pushed from rest to q in 20 steps [Johnson1985 sec. 7.2]:
  *                        u = (2 mu P/(pi E*)) (q (Lambda + 1/2) + (1 - q) ln(1 - q)/2)
- *   half-plane, rolling  8 a at the creepage xi = x F0 from rest, steps of an element [Carter1926]: q = x (2 - x). Lambda
- *                        = 1.5: what is left of the transient is e^(-2 (1 - x) 8/Lambda), 1e-7
- *   brush                3 a, the same: tau = min(mu p, k_w xi (x + a)); b = k_w xi a/(mu p0), X1 = (1 - b^2)/(1 + b^2):
- *                        q = (2/pi) (b (1 + X1)^2/2 + (acos X1 - X1 sqrt(1 - X1^2))/2)
+ *   half-plane, rolling  8 a at the creepage xi = x F0 from rest, steps of an element [Carter1926]: q = x (2 - x).
+ *                        Lambda = 1.5: what is left of the transient is e^(-2 (1 - x) 8/Lambda), 1e-7
+ *   brush                3 a, the same: tau = min(mu p, k_w xi (x + a)); b = k_w xi a/(mu p0), X1 = (1 - b^2)/(1 +
+ *                        b^2): q = (2/pi) (b (1 + X1)^2/2 + (acos X1 - X1 sqrt(1 - X1^2))/2)
  *
- * Orders: the traction turns from stick to slip within an element. Its sum, Q, is of second order where that is the whole error; a
- * rolling half-plane reads the displacement before between the middles of elements: first order, half_plane.h.
+ * Orders: the traction turns from stick to slip within an element. Its sum, Q, is of second order if that is the whole
+ * error. A rolling half-plane reads the earlier displacement between the middles of elements: first order,
+ * half_plane.h.
  */
 #include "patch/brush.h"
 #include "patch/half_plane.h"
@@ -24,7 +25,7 @@ static const double P = 1e4;
 enum { LOADS = 4 };
 static const int elements[] = {25, 50, 100, 200, 400};
 
-/* What a solver is, to the sweep. */
+/* A solver, for the sweep. */
 typedef struct solver {
     void *(*open)(int n, tr_status *st);
     bool (*step)(void *o, const tr_patch_step *step, tr_status *st);

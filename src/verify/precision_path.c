@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Error against time: one contact along a prescribed path with reversals of sliding, rolling and load, cases/contact-reversal.yaml with
- * the same number of steps in each segment. Error: the largest |Q - Q_exact| at 25 instants of each segment, over mu and the
- * largest P.
+/* Error against time: one contact along a prescribed path with reversals of sliding, rolling and load,
+ * cases/contact-reversal.yaml with the same number of steps in each segment. Error: the largest |Q - Q_exact| at 25
+ * instants of each segment, over mu and the largest P.
  *
  * References: path_reference.h.
  */

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Assemblies: the biaxial test of 40 disks from soft to hard, and with laws of friction whose slope is infinite at Q = mu P.
+/* Assemblies: the biaxial test of 40 disks from soft to hard, and with laws of friction whose slope is infinite at Q =
+ * mu P.
  *
- * The right answer is a test that ends with 0 < sin(phi) < 1 and closes its ledger to 2 % of the work of the walls. k_n = 10 p
- * presses the contacts of force chains deeper than the 0.3 R that a law may be asked for: it must stop, name one, and say from
- * which k_n it would hold. In between, up to some 300 p, it depends on the sample how deep its contacts are. */
+ * The right answer is a test that ends with 0 < sin(phi) < 1 and closes its ledger to 2 % of the work of the walls. k_n
+ * = 10 p presses the contacts of force chains deeper than the allowed 0.3 R: the run must stop, name one, and say which
+ * k_n would hold. In between, up to some 300 p, the depth depends on the sample. */
 #include "base/alloc.h"
 #include "core/biaxial.h"
 #include "core/ledger.h"

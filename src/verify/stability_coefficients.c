@@ -6,8 +6,8 @@
  *   slides, blocked     a = g (sin(alpha) - mu cos(alpha))                mu < tan(alpha), mu < mu_r
  *   rests               a = 0                                             tan(alpha) <= mu, mu_r
  *
- * The acceleration is the change of speed over the run, 0.3 s. The springs give way when the weight comes upon them and
- * leave a swing of g/sqrt(3 k/m), 2 mm/s at k = 100 MPa, 0.006 m/s^2 over the run; the rows allow three times that. */
+ * The acceleration is the change of speed over the run, 0.3 s. The springs yield under the sudden weight and leave a
+ * swing of g/sqrt(3 k/m), 2 mm/s at k = 100 MPa, 0.006 m/s^2 over the run; the rows allow three times that. */
 #include "verify/stability.h"
 #include <stdio.h>
 

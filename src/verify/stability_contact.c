@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* One contact, driven: every law where its formula divides by something that vanishes. Rolling alone must not make friction,
- * sliding alone of equal disks no rolling moment; friction must stay within mu P when P falls to 0 under it. */
+/* One driven contact: every law where its formula divides by a number that goes to 0. Rolling without sliding must make
+ * no friction, sliding of equal disks without rolling no rolling moment; friction must stay within mu P when P falls to
+ * 0 under it. */
 #include "base/alloc.h"
 #include "study/contact.h"
 #include "verify/stability.h"

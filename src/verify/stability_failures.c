@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Cases that have no right answer: each must stop with TR_NUMERICAL and say where, before any number is nonsense. */
+/* Cases without a right answer: each must stop with TR_NUMERICAL and say where, before any number is wrong. */
 #include "base/alloc.h"
 #include "core/step.h"
 #include "verify/stability.h"
@@ -12,7 +12,7 @@
     START "disks: [{radius: 10, x: -1000, y: 0}, {radius: 10, x: 1000, y: 0}, {radius: 10, x: 0, y: 1000},\n"
 
 typedef struct doomed {
-    const char *what, *text, *words; /* words: what the message must name, besides step and time */
+    const char *what, *text, *words; /* words: names in the message, besides step and time */
 } doomed;
 
 static const doomed cases[] = {

@@ -8,8 +8,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Depth, way of a disturbance in a step, and of rims that slide, as shares of the smallest radius [m]. Rims are fast enough that no
- * disturbance turns sliding back, up to 1e3 of what it was. */
+/* Depth, way of a disturbance in a step, and way of sliding rims, as fractions of the smallest radius [m]. Rims are
+ * fast enough that no disturbance turns sliding back, up to 1e3 of what it was. */
 static const double LAP = 1e-5, TINY = 1e-11, SLIDES = 1e-5, SMALLEST = 1e-3;
 
 static double among(tr_random *r, double low, double high) { /* evenly in the logarithm */
@@ -28,7 +28,7 @@ static double gap(const tr_world *w, int i, int n) {
     return least;
 }
 
-/* Disk i touches disk j, and j2 if they are close enough; false: there is no room there. */
+/* Disk i touches disk j, and j2 if they are close enough; false: no room. */
 static bool place(tr_world *w, tr_random *r, int i, double R, double density, double lap, bool held) {
     int j = (int)(tr_random_uniform(r) * i), j2 = (int)(tr_random_uniform(r) * i);
     const double *p = w->disks.pos + 4 * (size_t)j, *q = w->disks.pos + 4 * (size_t)j2;
@@ -86,8 +86,8 @@ static double rim_of(const tr_network *net, int a) {
     return a < 0 ? -net->floor : net->rim[a];
 }
 
-/* Which way the friction spring and the rolling spring of a contact slide; 0: not. u: speeds of the rims, V_s = (u1 + u2) but for
- * the overlap; at the floor Vt = -floor. */
+/* Direction in which the friction spring and the rolling spring of a contact slide; 0: not. u: speeds of the rims, V_s
+ * = (u1 + u2) but for the overlap; at the floor Vt = -floor. */
 typedef struct slips {
     int friction, rolling;
 } slips;
@@ -260,7 +260,7 @@ static bool balance(tr_network *net, tr_status *st) {
 static bool set_laws(tr_network *net, tr_random *r, const char *velocity, bool sliding, tr_status *st) {
     static const char text[] = "kind: bodies\ntime_end: 1 s\ndisks: [{radius: 1, x: 0, y: 0}]\n"
                                "contact: {k_n: 1 MPa, damping_ratio: 0, mu: 100, mu_r: 100}\n";
-    double apart = sliding ? 10 : 1e3; /* no disturbance makes what sticks slide */
+    double apart = sliding ? 10 : 1e3; /* no disturbance makes a sticking spring slide */
     net->k_n = among(r, 1e5, 1e7), net->k_t = net->k_n * among(r, 1 / apart, apart);
     net->k_r = net->k_n * among(r, 1 / apart, apart);
     net->zeta = tr_random_uniform(r) < 0.5 ? 0 : tr_random_uniform(r);

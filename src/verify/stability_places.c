@@ -10,8 +10,8 @@
 
 enum { SIDE = 6, N = SIDE * SIDE + 1, STEPS = 2000 };
 
-/* Disks of radius 1 on a lattice, each 1 % into its neighbours, that fly apart, at (far, far); one stays at the origin, which is
- * where single precision of the broad phase counts from. */
+/* Disks of radius 1 on a lattice, each 1 % into its neighbours, that fly apart, at (far, far); one stays at the origin,
+ * the reference point for single precision in the broad phase. */
 static bool burst(tr_verify *v, double far, const tr_broad_finder *finder, double *pos, int64_t *touched,
                   tr_status *st) {
     static const char text[] =

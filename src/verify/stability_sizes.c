@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Tiny disks and huge ones, 1:1000, and light ones and heavy ones, 1:1e9.
+/* Tiny and huge disks, 1:1000, and light and heavy disks, 1:1e9.
  *
- * Codes that mix velocities of the half step with normals of the full step have trapped and kicked small grains between large
- * ones. Here a tiny disk rolls off a huge one, which it leaves where its weight no longer bends its way,
+ * Codes that mix velocities of the half step with normals of the full step have trapped and kicked small grains between
+ * large ones. Here a tiny disk rolls off a huge one. It leaves where its weight no longer bends its path,
  *
- *   m v^2/(R + r) = m g cos(theta),   3/4 m v^2 = m g (R + r)(cos(theta0) - cos(theta))   =>   cos(theta) = (4/7) cos(theta0)
+ *   m v^2/(R + r) = m g cos(theta),   3/4 m v^2 = m g (R + r)(cos(theta0) - cos(theta))   =>   cos(theta) = (4/7)
+ *                                     cos(theta0)
  *
  * and falls into the saddle between two: without dashpots its energy may fall, where a contact opens with its spring of
  * friction stretched, and must not grow; with dashpots it must come to rest. */

@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* Networks with sliding contacts: growth that the exact equations have, apart from growth that the step adds.
+/* Networks with sliding contacts: growth in the exact equations, separated from growth by the step.
  *
- * Friction that follows the normal force makes K unsymmetric, and two of its eigenvalues may meet and turn complex: the modes
- * couple and swing with growing amplitude, which is flutter [Hoffmann2002]; or one turns negative, and disks are drawn in. This is in
- * x'' + C x' + K x = 0 itself, at any step. Its greatest growth is the spectral radius of e^(A h), with (x, x')' = A (x, x'); that of the
- * leapfrog is the spectral radius of its step,
+ * Friction that follows the normal force makes K unsymmetric, and two of its eigenvalues may meet and turn complex: the
+ * modes couple and swing with growing amplitude, which is flutter [Hoffmann2002]; or one turns negative, and disks are
+ * drawn in. This is in x'' + C x' + K x = 0 itself, at any step. Its greatest growth is the spectral radius of e^(A h),
+ * with (x, x')' = A (x, x'); that of the leapfrog is the spectral radius of its step,
  *
  *   y <- y - dt^2 K x - dt C y,   x <- x + y,   y = dt v
  *
- * both from powers of the matrices. Without damping an eigenvalue k of K swings with exp(i theta) a step, sin(theta/2) = dt sqrt(k)/2,
- * where the exact theta is dt sqrt(k): where all k are real, positive and below 4/dt^2 nothing grows, so the step adds no mode of its
- * own, and it speeds flutter up by dt^2 k/8 of itself. tests/core/test_flutter.c: one disk, by the roots of a cubic. */
+ * both from powers of the matrices. Without damping an eigenvalue k of K swings with exp(i theta) a step, sin(theta/2)
+ * = dt sqrt(k)/2, where the exact theta is dt sqrt(k): where all k are real, positive and below 4/dt^2 nothing grows,
+ * so the step adds no mode of its own, and it speeds flutter up by dt^2 k/8 of itself. tests/core/test_flutter.c: one
+ * disk, by the roots of a cubic. */
 #include "base/alloc.h"
 #include "core/timestep.h"
 #include "verify/stability.h"
@@ -22,7 +23,7 @@
 enum { NETWORKS = 300, SIZE = 2 * TR_NETWORK_DOF, POWERS = 36, STEPS = 400 };
 static const double TAKEN = 0.4; /* step.safety of assemblies */
 
-/* What grows slower than this in a step is rounding: motions without force are double roots at 1. */
+/* Slower growth in a step is rounding: motions without force are double roots at 1. */
 static const double SLOW = 1e-6;
 
 typedef struct square {
@@ -149,8 +150,8 @@ static bool say(tr_verify *v, const tally *t, tr_status *st) {
            tr_verify_outcome(v, "damped, stable in the exact equations", text, 100 * t->added_damped <= t->damped, st);
 }
 
-/* Dashpots see the velocity of half a step before, and at the edge of flutter that may tip the balance: one in a hundred at most, it
- * was said before the run. */
+/* Dashpots see the velocity of half a step before, which may decide at the edge of flutter: one in a hundred at most,
+ * as stated before the run. */
 bool tr_stability_sliding(tr_verify *v, tr_status *st) {
     room *r = tr_alloc(1, sizeof *r, st);
     tally t = {0};

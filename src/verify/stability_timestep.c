@@ -63,8 +63,9 @@ bool tr_stability_networks(tr_verify *v, tr_status *st) {
     return ok;
 }
 
-/* Velocities that are not conjugate to the moments make K unsymmetric: then a mode may grow whatever the step is, as the law
- * itself makes energy in closed cycles. Nothing is promised for them, but that wang's stays: the rows say how often it happens. */
+/* Velocities that are not conjugate to the moments make K unsymmetric: then a mode may grow at any step, because the
+ * law itself makes energy in closed cycles. Only for wang's velocity growth is excluded; for the others the rows count
+ * it. */
 bool tr_stability_not_conjugate(tr_verify *v, tr_status *st) {
     tr_network *net = tr_alloc(1, sizeof *net, st);
     bool ok = net != NULL;

@@ -35,7 +35,8 @@ static double slope(const cell *c, int n, double floor) {
     return used > 1 ? (used * sxy - sx * sy) / (used * sxx - sx * sx) : NAN;
 }
 
-/* The largest step from which on errors stay below 1e-3, between two steps by a straight line in logarithms. */
+/* The largest step with errors below 1e-3 for it and all smaller steps; between two steps by a straight line in
+ * logarithms. */
 static void describe(const cell *c, const tr_sweep *s, char *text, size_t size) {
     int k = s->steps;
     while (k > 0 && c[k - 1].result.error < 1e-3) k--;

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Verifications: numbers that the code computes beside numbers that it does not. `trundle verify`.
+/* Verifications: numbers of the code beside numbers from other sources. `trundle verify`.
  *
- * A verification is a function that runs the library on a case whose answer is known from elsewhere (closed form, independent
- * solver, invariance, order of convergence) and adds rows. A tolerance follows from the discretisation or the statistics,
- * is fixed before the run, and says its reason. Each verification names a change of the code that makes it fail.
+ * A verification is a function that runs the library on a case whose answer is known from elsewhere (closed form,
+ * independent solver, invariance, order of convergence) and adds rows. A tolerance follows from the discretisation or
+ * the statistics, is fixed before the run, and says its reason. Each verification names a change of the code that makes
+ * it fail.
  *
  * exact      answers against closed forms; quick
  * precision  error against run time: points, and a row for what the defaults rest on
@@ -25,7 +26,7 @@ typedef struct tr_verification {
     const char *what;         /* one line */
     const char *source;       /* of the reference: "[Wang2015 eq. 12]", "rigid disk, I = m R^2/2" */
     const char *mutation;     /* a change of the code that makes a row of it fail, tried */
-    /* False only where it cannot go on (memory, files, stopped): a number that is wrong is a row that says so. */
+    /* False only if it cannot continue (memory, files, stopped): a wrong number is a row that says so. */
     bool (*run)(tr_verify *v, tr_status *st);
 } tr_verification;
 
@@ -37,7 +38,7 @@ typedef struct tr_verify_row {
     const char *reason; /* of the tolerance; lives as long as the program */
     double order;       /* observed order of convergence; NAN: none */
     const char
-        *outcome; /* in words, where a case may end in a failure that says where; NULL: the number tells. Copied */
+        *outcome; /* in words, for a case that may end in a failure that says where; NULL: only the number. Copied */
 } tr_verify_row;
 
 /* A point of an error against run time. */
@@ -50,18 +51,18 @@ typedef struct tr_verify_point {
     bool usual;                /* the step that the tool takes by default */
 } tr_verify_point;
 
-/* Adds a row, a point, to what the verification at work has found. ok overrides the comparison only where outcome is given: a row
- * without numbers has reference, computed and tolerance NAN and is ok or not as told. */
+/* Adds a row or a point to the results of the running verification. ok overrides the comparison only if outcome is
+ * given: a row without numbers has reference, computed and tolerance NAN, and ok as given. */
 bool tr_verify_add(tr_verify *v, const tr_verify_row *row, tr_status *st);
 bool tr_verify_outcome(tr_verify *v, const char *quantity, const char *outcome, bool ok, tr_status *st);
 bool tr_verify_point_add(tr_verify *v, const tr_verify_point *point, tr_status *st);
 
-/* TR_INTERRUPTED if the user wants it to stop: ask between runs. */
+/* TR_INTERRUPTED if the user wants to stop: call it between runs. */
 bool tr_verify_go_on(const tr_verify *v, tr_status *st);
 
 /* A scene of bodies from the text of a case, whose `checks:` become rows; n_sets overrides "key=value". Its steps are
- * divided by 1, 2, 4, ... 2^(halvings): rows have the results of the last and, where the error is above rounding, the observed
- * order. reason: of the tolerances. */
+ * divided by 1, 2, 4, ... 2^(halvings): rows have the results of the last and, where the error is above rounding, the
+ * observed order. reason: of the tolerances. */
 bool tr_verify_scene(tr_verify *v, const char *text, const char *const *sets, int n_sets, int halvings,
                      const char *reason, tr_status *st);
 
@@ -82,7 +83,7 @@ struct tr_verify {
     const tr_verification *now;
     double started; /* [s] of the one at work */
     const volatile sig_atomic_t *stop;
-    /* For the tests: all rows, but each point is measured once, and of samples there are fewer seeds. */
+    /* For the tests: all rows, but each point is measured once, and samples have fewer seeds. */
     bool brief;
     tr_verified *row;
     int n, capacity, failed;
