@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Largest error of q = Q/mu P along the path, of the law of Dahlberg and Alfredsson and of the brush, against the exact
-# half-plane, at constant creepage from rest; over creepage and Lambda = ln(2d/a). Stiffness of the law: k0 of the elastic
-# contact, and the one that makes the error smallest, for this creepage and for all creepages (row `all`). CSV.
+# half-plane, at constant creepage from rest; over creepage and Lambda = ln(2d/a). Stiffness of the law: k0 of the
+# elastic contact, and the one that makes the error smallest, for this creepage and for all creepages (row `all`). CSV.
 # usage: creep-error.sh TRUNDLE
 set -eu
 export LC_ALL=C

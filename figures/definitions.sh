@@ -7,15 +7,16 @@
 # tordesillas is an angle: times half the smaller radius, which for equal disks is R1R2/(R1+R2).
 # Cycles: see definitions.yaml. Work of the contact on the disks, by the trapezoidal rule (exact for springs), of
 #   dW = M1 dth1 + M2 dth2 - f_r dslide,   dth1 = (dslide/2 - droll)/R1,   dth2 = (dslide/2 + droll)/R2
-# and with conjugate moments on the same T = -M1/R_eff of -T (A dth1 + B dth2), where V_r = A w1 + B w2 + C Vt (README.md, question 2).
-# Divided by k_r R_eff du dth1 where disk 2 slides and disk 1 spins, by k_r R1 dth1 du_roll where disk 1 spins and both
-# roll.
+# and with conjugate moments on the same T = -M1/R_eff of -T (A dth1 + B dth2), where V_r = A w1 + B w2 + C Vt
+# (README.md, question 2). Divided by k_r R_eff du dth1 where disk 2 slides and disk 1 spins, by k_r R1 dth1 du_roll
+# where disk 1 spins and both roll.
 set -eu
 export LC_ALL=C
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# The program names its definitions where one is not known; those of definitions.yaml take their places, conjugate-spring is last.
+# The program names its definitions where one is not known; those of definitions.yaml take their places,
+# conjugate-spring is last.
 names=$("$1" run "${0%.sh}.yaml" --check --set laws.0.rolling_velocity=no-such 2>&1 | sed -n 's/.*allowed is //p' | tr -d '|' | xargs) || true
 [ -n "$names" ] || { echo "error: $1 does not name its definitions of the rolling velocity" >&2; exit 1; }
 case=$work/definitions.yaml

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Friction force of all friction laws along the path of friction-laws.yaml, for disks and, with their own springs and unit of
-# sliding, for spheres. CSV.
+# Friction force of all friction laws along the path of friction-laws.yaml, for disks and, with their own springs and
+# unit of sliding, for spheres. CSV.
 # usage: friction-laws.sh TRUNDLE
 set -eu
 export LC_ALL=C

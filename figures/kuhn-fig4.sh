@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Kuhn's Fig. 4: friction over its bound against rolling at constant creepage from rest, by the law of Dahlberg and Alfredsson
-# and by the exact half-plane. CSV.
+# Kuhn's Fig. 4: friction over its bound against rolling at constant creepage from rest, by the law of Dahlberg and
+# Alfredsson and by the exact half-plane. CSV.
 # usage: kuhn-fig4.sh TRUNDLE
 set -eu
 export LC_ALL=C

@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Kuhn's Fig. 5: friction over its bound against sliding (a) and against rolling (b), for ratios 1/xi of rolling to sliding. CSV.
+# Kuhn's Fig. 5: friction over its bound against sliding (a) and against rolling (b), for ratios 1/xi of rolling to
+# sliding. CSV.
 # usage: kuhn-fig5.sh TRUNDLE
 set -eu
 export LC_ALL=C

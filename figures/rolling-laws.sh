@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Moment against relative rotation of all rolling laws on the path of rolling-laws.yaml, at constant normal force, and with
-# the force rising to 20 kN/m on the way back and falling to 5 kN/m after that. CSV.
+# Moment against relative rotation of all rolling laws on the path of rolling-laws.yaml, at constant normal force, and
+# with the force rising to 20 kN/m on the way back and falling to 5 kN/m after that. CSV.
 # usage: rolling-laws.sh TRUNDLE
 set -eu
 export LC_ALL=C

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: MIT
-# Do rotations gather in bands? From the last instant of a disks.csv, for |rotation| and for the mean |V_r|: Gini coefficient
-# and 90th over 50th percentile, of the values alone, wherever they are; and the correlation length, of where they are.
+# Do rotations gather in bands? From the last instant of a disks.csv, for |rotation| and for the mean |V_r|: Gini
+# coefficient and 90th over 50th percentile, of the values alone, wherever they are; and the correlation length, of
+# where they are.
 #
 # For rotations that are normal and independent: Gini sqrt(2) - 1 = 0.414, percentiles 1.645/0.674 = 2.44, length 0.
-# Correlation C(r): of the ranks of the values of two disks r apart, in bins of a mean diameter, from every twentieth disk; ranks, so that
-# a few runaways do not count. Length: sum of C over the bins up to the first with C < 0.05, in diameters. `null`: the largest |C| of
-# any bin with the ranks shuffled, four times. Lines to standard output: name,value,rotation,rolling
+# Correlation C(r): of the ranks of the values of two disks r apart, in bins of a mean diameter, from every twentieth
+# disk; ranks, so that a few runaways do not count. Length: sum of C over the bins up to the first with C < 0.05, in
+# diameters. `null`: the largest |C| of any bin with the ranks shuffled, four times. Lines to standard output:
+# name,value,rotation,rolling
 # usage: awk -F, -f localisation.awk disks.csv
 function shuffle(from, to,    i, j, keep) {
     for (i = 0; i < n; i++) to[i] = from[i]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Where disks turn and roll: 10,000 disks without (above) and with rolling resistance. Data: out/bands, see shear-bands.sh, which
-# gives dir, caption, and the words above the panels, rotation and rolling, for mu_r = 0 and 0.5.
+# Where disks turn and roll: 10,000 disks without (above) and with rolling resistance. Data: out/bands, see
+# shear-bands.sh, which gives dir, caption, and the words above the panels, rotation and rolling, for mu_r = 0 and 0.5.
 set datafile separator ','
 set multiplot layout 2,2 title caption font ',20' offset 0,-0.1
 set size ratio -1

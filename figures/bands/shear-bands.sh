@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Draws the shear bands of the two runs DIR/mu_r-0 and DIR/mu_r-0.5 of cases/shear-bands.yaml, and writes beside the picture, as
-# CSV, whether rotations and rolling gather in bands.
+# Draws the shear bands of the two runs DIR/mu_r-0 and DIR/mu_r-0.5 of cases/shear-bands.yaml, and writes beside the
+# picture, as CSV, whether rotations and rolling gather in bands.
 # usage: shear-bands.sh DIR PICTURE.png
 set -eu
 export LC_ALL=C

@@ -1,12 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Kuhn's two kinds of rolling resistance in the biaxial test: a contact moment (Wang's), and creep (Dahlberg and Alfredsson's friction
-# with Carter's creepage). Each off and on, the creep by both meanings of rolling. Tables, pictures, a film, one page.
+# Kuhn's two kinds of rolling resistance in the biaxial test: a contact moment (Wang's), and creep (Dahlberg and
+# Alfredsson's friction with Carter's creepage). Each off and on, the creep by both meanings of rolling. Tables,
+# pictures, a film, one page.
 #
 #     figures/creep/creep.sh TRUNDLE DIR [SEEDS [CASE]]
 #
-# SEEDS: 24 by default, at least 2. CASE: cases/biaxial-creep.yaml by default. Goes on with what is there. The rule of the verdicts is in
-# effects.awk, and was written before the runs.
+# SEEDS: 24 by default, at least 2. CASE: cases/biaxial-creep.yaml by default. Goes on with what is there. The rule of
+# the verdicts is in effects.awk, and was written before the runs.
 set -eu
 export LC_ALL=C
 trundle=$1 out=$2 seeds=${3:-24}

@@ -1,17 +1,20 @@
 # SPDX-License-Identifier: MIT
-# What each of Kuhn's two kinds of rolling resistance does, from the points of creep.sh: differences of runs that share a sample, seed by
-# seed. A seed counts if it has all its points. used: file that gets the seeds that count.
+# What each of Kuhn's two kinds of rolling resistance does, from the points of creep.sh: differences of runs that share
+# a sample, seed by seed. A seed counts if it has all its points. used: file that gets the seeds that count.
 #
-# Rule, written before the runs. Four numbers: peak and residual sin phi, dilatancy (residual void ratio less that at the start), share of
-# rolling in the residual, Sum |V_r|/Sum (|V_r| + |V_s|). Six differences of each: contact moment (mu_r = 0.5 less 0) without and with creep, creep
-# less spring without and with contact moment, and creep by Kuhn's rolling less by Wang's without and with contact moment: 24 verdicts.
+# Rule, written before the runs. Four numbers: peak and residual sin phi, dilatancy (residual void ratio less that at
+# the start), share of rolling in the residual, Sum |V_r|/Sum (|V_r| + |V_s|). Six differences of each: contact moment
+# (mu_r = 0.5 less 0) without and with creep, creep less spring without and with contact moment, and creep by Kuhn's
+# rolling less by Wang's without and with contact moment: 24 verdicts.
 #   raises, lowers    the interval leaves out 0
-#   within M          it lies inside -M to M: M = 0.02 for sin phi and the share, 0.005 for the dilatancy, which is too little for a test
+#   within M          it lies inside -M to M: M = 0.02 for sin phi and the share, 0.005 for the dilatancy, which is too
+#                     little for a test
 #                     with few samples to matter: half of what one sample differs from the next, or less
 #   undecided         neither. It is not "no effect"
-# Both of the first two may hold: `raises, within M`. The interval is Student's of the differences, of 99.79 % = 1 - 0.05/24: by Bonferroni, all 24
-# hold together with 95 %. That of 95 % for the difference alone is in the table too, and decides nothing. The rows `together` (both less each
-# alone) are what one changes in the effect of the other; they have an interval and no verdict.
+# Both of the first two may hold: `raises, within M`. The interval is Student's of the differences, of 99.79 % = 1 -
+# 0.05/24: by Bonferroni, all 24 hold together with 95 %. That of 95 % for the difference alone is in the table too, and
+# decides nothing. The rows `together` (both less each alone) are what one changes in the effect of the other; they have
+# an interval and no verdict.
 BEGIN {
     FS = OFS = ","
     tests = 24

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-# From contact.csv of contact.yaml: force and moments of the contact by each definition, step by step, and a table of what is there at the end
-# of each segment beside a spring that is worked out by hand. Variables: names (separated by blanks), rows and table (files to write).
-# Conjugate moments: V_r = A w1 + B w2 + C Vt gives -A T, -B T and the force -C T on disk 2. The line of centres stands still.
+# From contact.csv of contact.yaml: force and moments of the contact by each definition, step by step, and a table of
+# what is there at the end of each segment beside a spring that is worked out by hand. Variables: names (separated by
+# blanks), rows and table (files to write). Conjugate moments: V_r = A w1 + B w2 + C Vt gives -A T, -B T and the force
+# -C T on disk 2. The line of centres stands still.
 BEGIN {
     FS = OFS = ","
     n = split(names, name, " ")

@@ -1,10 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The definitions of the rolling velocity side by side: pure motions, closed cycles, one contact, an assembly. Tables, pictures, one page.
+# The definitions of the rolling velocity side by side: pure motions, closed cycles, one contact, an assembly. Tables,
+# pictures, one page.
 #
 #     figures/definitions/definitions.sh TRUNDLE DIR [SEEDS [CASE]]
 #
-# SEEDS: 3 by default. CASE: the biaxial test, cases/biaxial.yaml by default. DIR is made anew but for runs that are there.
+# SEEDS: 3 by default. CASE: the biaxial test, cases/biaxial.yaml by default. DIR is made anew but for runs that are
+# there.
 set -eu
 export LC_ALL=C
 trundle=$1 out=$2 seeds=${3:-3}

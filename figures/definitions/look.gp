@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# What the pictures share. `names`: definitions, separated by blanks. Where curves coincide, each is narrower than the one below it.
+# What the pictures share. `names`: definitions, separated by blanks. Where curves coincide, each is narrower than the
+# one below it.
 set datafile separator ','
 set datafile missing NaN # rows of other curves do not break a line
 set grid linecolor '#d0d0d0'

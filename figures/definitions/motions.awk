@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# From the CSV of ../definitions.sh, over R2/R1 from 1/10 to 10: the closed form of each number, and how far the tool is from it.
-# Variables: names (definitions, separated by blanks), kinematics and energy (files to write).
-# Closed forms of touching disks, r = R2/R1: (R1 - R2)/(2(R1 + R2)) is what the mean flow differs by from R_eff (w1 - w2), in slidings.
+# From the CSV of ../definitions.sh, over R2/R1 from 1/10 to 10: the closed form of each number, and how far the tool is
+# from it. Variables: names (definitions, separated by blanks), kinematics and energy (files to write). Closed forms of
+# touching disks, r = R2/R1: (R1 - R2)/(2(R1 + R2)) is what the mean flow differs by from R_eff (w1 - w2), in slidings.
 BEGIN {
     FS = OFS = ","
     n = split(names, name, " ")

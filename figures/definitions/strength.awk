@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
-# From collect.csv of the sweep: a table of each definition, of its difference from wang, and of what so few seeds can tell.
-# Rule, written before the runs: `differs` where the 95 % interval of the difference (Student, seed by seed) leaves out 0; `equal within` the
-# margin where it lies inside of it; else `undecided`. Undecided is not equal.
-# The detectable difference is the least that n seeds call `differs` in 80 of 100 trials, if differences scatter as those of 32 other samples
-# of this test (seeds 101 to 132) do: standard deviations below. Three seeds alone know their scatter only to a factor of 0.5 to 6.
+# From collect.csv of the sweep: a table of each definition, of its difference from wang, and of what so few seeds can
+# tell. Rule, written before the runs: `differs` where the 95 % interval of the difference (Student, seed by seed)
+# leaves out 0; `equal within` the margin where it lies inside of it; else `undecided`. Undecided is not equal.
+# The detectable difference is the least that n seeds call `differs` in 80 of 100 trials, if differences scatter as
+# those of 32 other samples of this test (seeds 101 to 132) do: standard deviations below. Three seeds alone know their
+# scatter only to a factor of 0.5 to 6.
 BEGIN {
     FS = OFS = ","
     split("sin_phi_peak sin_phi_residual e_residual", quantity, " ")
@@ -25,8 +26,8 @@ function normal(x,   t, p) {
     p = exp(-x*x/2)/sqrt(8*atan2(1, 1))*t*(0.319381530 + t*(-0.356563782 + t*(1.781477937 + t*(-1.821255978 + t*1.330274429))))
     return x < 0 ? p : 1 - p
 }
-# How often Student's test with f degrees of freedom and the quantile t finds a difference of d standard errors: the mean over the
-# measured standard deviation s, s^2 f of chi-squared with f degrees of freedom
+# How often Student's test with f degrees of freedom and the quantile t finds a difference of d standard errors: the
+# mean over the measured standard deviation s, s^2 f of chi-squared with f degrees of freedom
 function power(d, t, f,   s, ds, w, sum, weights) {
     ds = 0.001
     for (s = ds/2; s < 6; s += ds) { w = exp((f - 1)*log(s) - f*s*s/2); sum += w*(normal(d - t*s) + normal(-d - t*s)); weights += w }

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Differences from wang with their intervals, beside the difference that so few seeds can detect. Data: collect.csv. Variables: csv, names, table.
+# Differences from wang with their intervals, beside the difference that so few seeds can detect. Data: collect.csv.
+# Variables: csv, names, table.
 pick(i, q, column) = strcol('contact.rolling_velocity') eq word(names, i) && strcol('quantity') eq q && strcol('minus') ne '' ? column : NaN
 array quantity[3] = ['sin_phi_peak', 'sin_phi_residual', 'e_residual']
 array said[3] = ['peak sin φ', 'residual sin φ', 'residual void ratio']

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 # One page of demonstrations with its films and pictures beside it, and all of it as GALLERY.zip.
 # usage: figures/gallery/build.sh DEMOS GALLERY NAME...
-# Run NAME of cases/NAME.yaml is in DEMOS/NAME; one that has no summary.json is left out. GALLERY is replaced as a whole.
+# Run NAME of cases/NAME.yaml is in DEMOS/NAME; one that has no summary.json is left out. GALLERY is replaced as a
+# whole.
 set -eu
 here=$(dirname "$0")
 demos=$1 gallery=$2

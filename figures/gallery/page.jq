@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-# The page of `make gallery`, from one object a demonstration: {name, yaml, summary, film, gif, still}, the last three names
-# of files beside the page, or null. It is written so that it is XML too (xmllint reads it). All text goes through @html.
+# The page of `make gallery`, from one object a demonstration: {name, yaml, summary, film, gif, still}, the last three
+# names of files beside the page, or null. It is written so that it is XML too (xmllint reads it). All text goes through
+# @html.
 
 # The order of the lecture. A case that is not named comes last in the group of its kind.
 def groups: [

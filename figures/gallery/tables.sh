@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Shell functions for the pages: sourced by them. They read from $out, the directory of the page, and write XML. $here: the page's script.
+# Shell functions for the pages: sourced by them. They read from $out, the directory of the page, and write XML. $here:
+# the page's script.
 
 # table FILE CAPTION: a CSV as a table. A first cell that repeats is written once.
 table() {

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# What the fields of the film say, from the contacts.csv of its runs: of the contacts that touched all their interval, beyond 5 % strain.
-# To `classes`, by mobilisation, the share of them and the median of each quantity; to the output, Spearman's rank correlations.
-# The name of a run is that of its folder.
+# What the fields of the film say, from the contacts.csv of its runs: of the contacts that touched all their interval,
+# beyond 5 % strain. To `classes`, by mobilisation, the share of them and the median of each quantity; to the output,
+# Spearman's rank correlations. The name of a run is that of its folder.
 # usage: awk -F, -v classes=CLASSES.csv -f fields.awk RUN/contacts.csv ... >CORRELATIONS.csv
 BEGIN {
     n = 0
@@ -21,7 +21,8 @@ function sort_by(q, order,   gap, i, j, k) {
             order[j] = k
         }
 }
-# Ranks of q about their mean, equal ones (contacts that slide have mobilisation 1) with the mean of theirs; medians of each class.
+# Ranks of q about their mean, equal ones (contacts that slide have mobilisation 1) with the mean of theirs; medians of
+# each class.
 function look(q,   order, i, j, k, c, passed) {
     sort_by(q, order)
     for (i = 0; i < n; i = j) {

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Kuhn's Fig. 6 for disks, left; right, rolling over sliding of the contacts and the effect of creep, medians over an interval.
+# Kuhn's Fig. 6 for disks, left; right, rolling over sliding of the contacts and the effect of creep, medians over an
+# interval.
 set datafile separator ','
 set grid linecolor '#d0d0d0'
 file(m, law) = dir.'/disks-'.word('large small', m).'-'.law.'/history.csv'

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
-# From disks.csv and contacts.csv of a run, in this order, for each instant out-NNN.dat: the disks (x, y, R), an empty pair of lines, and two
-# lines a contact (x, y, along, mobilisation, log10 of rolling and of creep over sliding). Each line goes from the centre of a disk,
-# at its place in the cell, to the contact: where a contact goes across an edge its halves are apart, each with its own disk.
-# Lengths in mm. A contact that did not touch all the interval has no increments: its logarithms are "?".
+# From disks.csv and contacts.csv of a run, in this order, for each instant out-NNN.dat: the disks (x, y, R), an empty
+# pair of lines, and two lines a contact (x, y, along, mobilisation, log10 of rolling and of creep over sliding). Each
+# line goes from the centre of a disk, at its place in the cell, to the contact: where a contact goes across an edge its
+# halves are apart, each with its own disk. Lengths in mm. A contact that did not touch all the interval has no
+# increments: its logarithms are "?".
 # usage: awk -F, -v out=OUT -f film.awk disks.csv contacts.csv
 function log10(part, whole) { return part != 0 && whole != 0 ? log(part*part/(whole*whole))/(2*log(10)) : "?" }
 function value(name) { return $column[name] }

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
 # What the contacts of two assemblies do: large contacts above, small ones below; a column a field. film.sh gives the
-# folders of the runs and of the tables of film.awk, the numbers of the instants from first to last, and picture, the format of their names.
+# folders of the runs and of the tables of film.awk, the numbers of the instants from first to last, and picture, the
+# format of their names.
 #
-# Columns are the factors of [Kuhn2014 eq. 17], effect of creep = F(|Q|/(mu P)) rolling/sliding with F as a/R; the last is their product.
+# Columns are the factors of [Kuhn2014 eq. 17], effect of creep = F(|Q|/(mu P)) rolling/sliding with F as a/R; the last
+# is their product.
 n = last + 1 # rows of history.csv: the first is of the start
 array size[2] = ['large', 'small']
 array strain[2*n]; array sin_phi[2*n]; array W[2*n]; array H[2*n]; array a_over_R[2*n]; array used[2*n]; array roll[2*n]; array creep[2*n]

@@ -1,12 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Film and still of what the contacts of Kuhn's assemblies do [Kuhn2014 sec. 3.2], large and small contacts at equal strain, with creep; and
-# what the fields say, as numbers.
+# Film and still of what the contacts of Kuhn's assemblies do [Kuhn2014 sec. 3.2], large and small contacts at equal
+# strain, with creep; and what the fields say, as numbers.
 #
 #     figures/kuhn/film.sh TRUNDLE DIR
 #
-# 400 disks, so that a contact is seen from the back of a room; up to 10 % strain, in intervals of 0.1 % as in kuhn.sh, an instant of
-# contacts each. Runs that are there are not run again.
+# 400 disks, so that a contact is seen from the back of a room; up to 10 % strain, in intervals of 0.1 % as in kuhn.sh,
+# an instant of contacts each. Runs that are there are not run again.
 set -eu
 export LC_ALL=C
 trundle=$1 out=$2

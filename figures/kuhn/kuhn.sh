@@ -1,12 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Kuhn's assemblies [Kuhn2014 sec. 3.2] in the plane: small and large contacts, with and without creep, on disks and on spheres that move
-# in the plane; his tables, a verdict on each trend and reason, and the picture.
+# Kuhn's assemblies [Kuhn2014 sec. 3.2] in the plane: small and large contacts, with and without creep, on disks and on
+# spheres that move in the plane; his tables, a verdict on each trend and reason, and the picture.
 #
 #     figures/kuhn/kuhn.sh TRUNDLE DIR [DISKS [SPHERES]]
 #
-# 4096, Kuhn's number, and 1000 by default; spheres, whose contacts are harder, go to 30 % strain. Started again it does what is
-# missing.
+# 4096, Kuhn's number, and 1000 by default; spheres, whose contacts are harder, go to 30 % strain. Started again it does
+# what is missing.
 set -eu
 export LC_ALL=C
 trundle=$1 out=$2 disks=${3:-4096} spheres=${4:-1000}

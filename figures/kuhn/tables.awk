@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
-# From history.csv of the runs of kuhn.sh, in directories by their names: tables.csv, the numbers of Kuhn's tables 2, 3 and 4 as means
-# over the rows of 20.5 to 25.5 % strain, and on the output a verdict on each of his trends and reasons.
+# From history.csv of the runs of kuhn.sh, in directories by their names: tables.csv, the numbers of Kuhn's tables 2, 3
+# and 4 as means over the rows of 20.5 to 25.5 % strain, and on the output a verdict on each of his trends and reasons.
 #
-# A verdict is about a number of each block of 5 % strain, from 10 % on, and its mean. Runs that differ in anything are other packings after
-# some percent of strain, and 5 % is longer than their stresses remember: blocks stand for independent samples, and the interval is
-# Student's, 95 %. `holds` if it lies in the range in which the claim is true, `fails` if outside, else `undecided`.
+# A verdict is about a number of each block of 5 % strain, from 10 % on, and its mean. Runs that differ in anything are
+# other packings after some percent of strain, and 5 % is longer than their stresses remember: blocks stand for
+# independent samples, and the interval is Student's, 95 %. `holds` if it lies in the range in which the claim is true,
+# `fails` if outside, else `undecided`.
 BEGIN { OFS = FS = "," }
 FNR == 1 {
     n = split(FILENAME, part, "/"); run = part[n - 1]; known[run] = 1

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Error distribution of the friction laws on the paths of a biaxial test, and its stress with their forces. dir: the tables of
-# trundle replay.
+# Error distribution of the friction laws on the paths of a biaxial test, and its stress with their forces. dir: the
+# tables of trundle replay.
 set datafile separator ','
 set datafile columnheaders
 array name[5] = ['coulomb-spring', 'cattaneo-mindlin', 'vu-quoc-zhang', 'kuhn-creep', 'dahlberg-alfredsson']

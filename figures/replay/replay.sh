@@ -1,12 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# What friction laws err on the paths that contacts of assemblies have: 400 disks between walls, and Kuhn's periodic assemblies with
-# small and with large contacts, each replayed contact by contact.
+# What friction laws err on the paths that contacts of assemblies have: 400 disks between walls, and Kuhn's periodic
+# assemblies with small and with large contacts, each replayed contact by contact.
 #
 #     figures/replay/replay.sh TRUNDLE DIR [SEED]
 #
-# All three to 20 % strain at I = 1e-3, 1000 instants, each disk between two plates (depth 0; `make kuhn` has less). Small contacts roll by 14 elements from one to the next, so they have half as
-# many, which leaves 0.0014 mu P. Started again it does what is missing.
+# All three to 20 % strain at I = 1e-3, 1000 instants, each disk between two plates (depth 0; `make kuhn` has less).
+# Small contacts roll by 14 elements from one to the next, so they have half as many, which leaves 0.0014 mu P. Started
+# again it does what is missing.
 set -eu
 export LC_ALL=C
 trundle=$1 out=$2 seed=${3:-1}

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Does the ranking of the friction laws depend on the size of the contact? Errors on the paths of three runs. dir: of replay.sh.
+# Does the ranking of the friction laws depend on the size of the contact? Errors on the paths of three runs. dir: of
+# replay.sh.
 set datafile separator ','
 array name[5] = ['coulomb-spring', 'cattaneo-mindlin', 'vu-quoc-zhang', 'kuhn-creep', 'dahlberg-alfredsson']
 array color[5] = ['#999999', '#a89a00', '#7fbf9f', '#7f4a90', '#a3195b']

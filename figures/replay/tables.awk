@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-# tables.csv from */replay.csv, */replay-errors.csv, */replay-stress.csv, in this order: of each run and law, errors of force over mu P
-# (quantiles of all instants, and by rolled distance), of the energy of all contacts, over that of the exact contact, and of sin phi, means
-# of the halves of the strain. The row `exact` has what they are errors of, and the shares of the instants.
+# tables.csv from */replay.csv, */replay-errors.csv, */replay-stress.csv, in this order: of each run and law, errors of
+# force over mu P (quantiles of all instants, and by rolled distance), of the energy of all contacts, over that of the
+# exact contact, and of sin phi, means of the halves of the strain. The row `exact` has what they are errors of, and the
+# shares of the instants.
 FNR == 1 {
     n = split(FILENAME, part, "/")
     run = part[n - 1]

@@ -13,8 +13,8 @@ trundle=$1 out=$2
 here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$out"
 
-# sweep NAME SEEDS DISKS NUMBERS SAFETY: of cases/biaxial.yaml, and with creep of cases/biaxial-creep.yaml. Points of both:
-# DIR/NAME.csv.
+# sweep NAME SEEDS DISKS NUMBERS SAFETY: of cases/biaxial.yaml, and with creep of cases/biaxial-creep.yaml. Points of
+# both: DIR/NAME.csv.
 sweep() {
     for law in coulomb-spring dahlberg-alfredsson; do
         case $law in coulomb-spring) base=biaxial ;; *) base=biaxial-creep ;; esac

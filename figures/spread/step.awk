@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# What half the step changes: sin phi of the second points.csv, with half the step, less that of the first, seed by seed. A
-# seed gives one number, the mean over the cases that both files have, for the cases share its packing; mean and
+# What half the step changes: sin phi of the second points.csv, with half the step, less that of the first, seed by
+# seed. A seed gives one number, the mean over the cases that both files have, for the cases share its packing; mean and
 # standard error over the seeds.
 FNR == 1 { file++; for (i = 1; i <= NF; i++) column[file, $i] = i; next }
 {

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Of points.csv: a row for each method of each case: name, error at the default step, time to an error of 1e-3 [s] with its
-# quartiles, between two points by a straight line in logarithms; where every step does better, the time of the coarsest. Without
-# a default step a case is left out.
+# Of points.csv: a row for each method of each case: name, error at the default step, time to an error of 1e-3 [s] with
+# its quartiles, between two points by a straight line in logarithms; where every step does better, the time of the
+# coarsest. Without a default step a case is left out.
 BEGIN {FS = ","; print "row,name,error,seconds,low,high,at_most"}
 NR == 1 {next}
 $1 "," $2 != now {flush(); now = $1 "," $2; name = $1 ": " $2; error = ""; n = 0}

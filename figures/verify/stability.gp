@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# The time step of 1000 random networks: growth of their energy against dt over the exact limit, and where the bound of the
-# tool is. Data: trundle verify stability -o out/verify.
+# The time step of 1000 random networks: growth of their energy against dt over the exact limit, and where the bound of
+# the tool is. Data: trundle verify stability -o out/verify.
 #     gnuplot -e 'set output "out/verify/stability.png"; set terminal pngcairo size 1350,1080 font "DejaVu Sans,20" enhanced' \
 #         figures/verify/stability.gp
 if (!exists('csv')) csv = 'out/verify/points.csv'

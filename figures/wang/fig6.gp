@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Residual void ratio against mu_r: above as it is, below less that of wang on the same samples, in percent of what wang has in the mean.
+# Residual void ratio against mu_r: above as it is, below less that of wang on the same samples, in percent of what wang
+# has in the mean.
 csv = dir.'/strength/collect.csv'
 set multiplot layout 2,1 title caption font ',16' margins 0.1,0.985,0.1,0.93 spacing 0.05
 set xrange [-0.05:2.05]

@@ -7,7 +7,8 @@ array model[4] = ['wang', 'bagi-kuhn', 'alonso-min', 'alonso-mean']
 array name[4] = ['Wang, model 1', 'Bagi-Kuhn', 'Alonso, min (model 2)', 'Alonso, mean (model 2)']
 array color[4] = ['#000000', '#7f4a90', '#00714f', '#a89a00']
 array mark[4] = [7, 5, 9, 11]
-# Rows of one model and quantity; `minus` empty: the quantity itself. Others are NaN. Marks of the models stand side by side.
+# Rows of one model and quantity; `minus` empty: the quantity itself. Others are NaN. Marks of the models stand side by
+# side.
 pick(m, q, minus, column) = strcol('contact.rolling_velocity') eq model[m] && strcol('quantity') eq q && \
     strcol('minus') eq minus ? column : NaN
 aside(m) = 0.016*(m - 2.5)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# The paper's reason for the difference: contacts with s1 s2 < 0, where model 2 has no rolling resistance. And how much is rolled.
+# The paper's reason for the difference: contacts with s1 s2 < 0, where model 2 has no rolling resistance. And how much
+# is rolled.
 csv = dir.'/strength/collect.csv'
 set multiplot layout 2,1 title caption font ',16' margins 0.1,0.985,0.1,0.93 spacing 0.05
 set xrange [-0.05:2.05]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# The difference between the models while one thing that the paper does not give is changed: strength above, void ratio below.
+# The difference between the models while one thing that the paper does not give is changed: strength above, void ratio
+# below.
 csv = dir.'/unstated.csv'
 array coefficient[2] = [0.5, 2]
 array quantity[2] = ['sin_phi_residual', 'e_residual']

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: MIT
-# A verdict on each claim of Wang et al. 2015 about Figs. 5 and 6, from points.csv of strength.yaml. Each number is first made of the
-# points of one seed, which share a sample, and then averaged over the seeds; the interval is Student's, 95 %. A seed that lacks a point or
-# a number is left out.
+# A verdict on each claim of Wang et al. 2015 about Figs. 5 and 6, from points.csv of strength.yaml. Each number is
+# first made of the points of one seed, which share a sample, and then averaged over the seeds; the interval is
+# Student's, 95 %. A seed that lacks a point or a number is left out.
 #
-# A claim has a range of numbers in which it is true: `holds` if the interval lies in it, `fails` if it lies outside, else `undecided`,
-# with the number of seeds whose interval, shrinking as one over the root of their number, would no longer reach over the edge.
-# The paper gives no numbers for "almost the same" and "not very sensitive"; the ranges used are in the rows.
+# A claim has a range of numbers in which it is true: `holds` if the interval lies in it, `fails` if it lies outside,
+# else `undecided`, with the number of seeds whose interval, shrinking as one over the root of their number, would no
+# longer reach over the edge. The paper gives no numbers for "almost the same" and "not very sensitive"; the ranges used
+# are in the rows.
 BEGIN {
     OFS = ","
     print "claim", "model", "number", "low_95", "high_95", "true_from", "true_to", "seeds", "verdict", "seeds_to_decide"

@@ -4,8 +4,9 @@
 #
 #     figures/wang/wang.sh TRUNDLE DIR [SEEDS]
 #
-# Started again it does what is missing; more seeds go on from fewer. SEEDS: 32 by default, half of it where one thing after the other
-# is changed. With fewer than 16 there are the figures of the paper and the verdicts alone: 3 take a minute, and decide little.
+# Started again it does what is missing; more seeds go on from fewer. SEEDS: 32 by default, half of it where one thing
+# after the other is changed. With fewer than 16 there are the figures of the paper and the verdicts alone: 3 take a
+# minute, and decide little.
 set -eu
 export LC_ALL=C
 trundle=$1 out=$2 seeds=${3:-32}
