@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # Two commands do everything: `make biaxial` and `make test`. `make help` lists all targets, from the texts after ##.
 #
-# The public targets first check what the machine has (.ci/packages installs what is missing). Then they call make again, because
-# the compiler flags below ask pkg-config, and pkg-config may be one of the missing packages.
+# The public targets first check what the machine has (.ci/packages installs what is missing). Then they call make
+# again, because the compiler flags below ask pkg-config, and pkg-config may be one of the missing packages.
 
 # As many jobs as processors, JOBS=1 for one. V=1 shows the commands of the build.
 JOBS ?= $(shell nproc)
@@ -24,7 +24,8 @@ CXX_FLAGS := -std=c++17 -fvisibility-inlines-hidden $(FLAGS) $(CFLAGS)
 # libcsv has no pkg-config file.
 LIBS  := $(shell pkg-config --libs $(PKGS) 2>/dev/null) -lcsv -lm -pthread
 
-# The commit that summary.json names. The directory is named to git, so that the repository around a tarball is not taken for this one.
+# The commit that summary.json names. The directory is named to git, so that the repository around a tarball is not
+# taken for this one.
 COMMIT := $(shell git --git-dir=.git describe --always --dirty --abbrev=12 --exclude='*' 2>/dev/null || echo unknown)
 
 LIB_SRC  := $(filter-out src/cli/% src/live/%,$(wildcard src/*/*.c)) $(wildcard src/*/*.cpp)
@@ -47,30 +48,31 @@ biaxial: packages-build ## the 400-disk biaxial test: curves, frames, film in ou
 	@echo "frames: out/biaxial/frames/*.png"
 	@echo "video:  out/biaxial/biaxial.mp4 (needs ffmpeg)"
 
-# Two kinds of rolling resistance in the biaxial test, 24 samples: curves, film, verdicts. Stopped and started again it goes on.
+# Two kinds of rolling resistance in the biaxial test, 24 samples: curves, film, verdicts. Stopped and started again it
+# goes on.
 creep: packages-build ## what Kuhn's two kinds of rolling resistance do, 24 samples: page in out/creep/ (2 min)
 	@$(MAKE) --no-print-directory build-all
 	figures/creep/creep.sh ./trundle out/creep
 	@echo "page: out/creep/index.html (pictures need gnuplot, the film ffmpeg), tables: out/creep/*.csv"
 
-# Ten seconds. Runs of the assembly that are there are not run again.
+# Ten seconds. Finished runs of the assembly are not run again.
 definitions: packages-build ## the definitions of rolling compared: page in out/definitions/ (10 s)
 	@$(MAKE) --no-print-directory build-all
 	figures/definitions/definitions.sh ./trundle out/definitions
 	@echo "page: out/definitions/index.html (pictures need gnuplot), tables: out/definitions/*.csv"
 
-# Half a minute. Studies that take longer are made by their own names alone: wang, bands, kuhn, replay, verify.
+# Half a minute. Longer studies have their own targets: wang, bands, kuhn, replay, verify.
 figures: packages-build ## the figures of figures/*.gp in out/figures/ (half a minute)
 	@$(MAKE) --no-print-directory build-all $(patsubst figures/%.sh,out/figures/%.png,$(wildcard figures/*.sh))
 
-# Wang's Figs. 5 and 6 with a verdict on each claim. Goes on with what is there; SEEDS=4 is quick.
+# Wang's Figs. 5 and 6 with a verdict on each claim. Continues with the finished runs; SEEDS=4 is quick.
 SEEDS ?= 32
 wang: packages-build ## Wang's Figs. 5 and 6 with verdicts: out/wang/ (20 min; SEEDS=3 is quick)
 	@$(MAKE) --no-print-directory build-all
 	figures/wang/wang.sh ./trundle out/wang $(SEEDS)
 
-# Kuhn's assemblies with a verdict on each trend. Goes on with what is there; DISKS=400 is quicker than 4096, as Kuhn had. One to two
-# hours.
+# Kuhn's assemblies with a verdict on each trend. Continues with the finished runs; DISKS=400 is quicker than 4096,
+# Kuhn's number. One to two hours.
 DISKS ?= 4096
 kuhn: packages-build ## Kuhn's assemblies with verdicts: out/kuhn-4096/ (hours; DISKS=400 is quicker)
 	@$(MAKE) --no-print-directory build-all
@@ -82,7 +84,8 @@ kuhn-film: packages-build ## how contacts of Kuhn's assemblies slip, roll and cr
 	figures/kuhn/film.sh ./trundle out/kuhn-film
 	@echo "film: out/kuhn-film/slip-fields.mp4 (needs ffmpeg), still: slip-fields.png (needs gnuplot), numbers: classes.csv, correlations.csv"
 
-# Measures anew each time; not among the figures, for it takes a quarter of a minute and is not the same from run to run.
+# Measures again each time. It is not part of `figures`, because it takes a quarter of a minute and its result differs
+# between runs.
 features: packages-build ## what each feature and each law costs: out/figures/features.png (15 s)
 	@$(MAKE) --no-print-directory build-all
 	@$(MAKE) --no-print-directory --what-if figures/features.gp out/figures/features.png
@@ -92,17 +95,18 @@ bands: packages-build ## 10,000 disks without and with rolling resistance: shear
 	@$(MAKE) --no-print-directory build-all
 	@$(MAKE) --no-print-directory out/figures/shear-bands.png
 
-# Some 25 minutes of a processor. The table of src/study/spread.c anew, and whether its intervals are right. Goes on with what is there.
+# Some 25 minutes of a processor. Measures the table of src/study/spread.c again, and tests its intervals. Continues
+# with the finished runs.
 spread: packages-build ## how strength scatters between seeds: the table for the +- of a run (25 min of a processor)
 	@$(MAKE) --no-print-directory build-all
 	figures/spread/spread.sh ./trundle out/spread
 
-# Many minutes. Goes on with what is there.
+# Many minutes. Continues with the finished runs.
 replay: packages-build ## contacts of three assemblies compared with the exact half-plane: out/replay/ (10 min or more)
 	@$(MAKE) --no-print-directory build-all
 	figures/replay/replay.sh ./trundle out/replay
 
-# Minutes. Measures anew each time, too.
+# Minutes. Measures again each time, too.
 bench: packages-build ## time of a step of 100 to 1,000,000 disks: out/figures/bench.png (minutes)
 	@$(MAKE) --no-print-directory build-all
 	@$(MAKE) --no-print-directory --what-if figures/bench.gp out/figures/bench.png
@@ -117,7 +121,8 @@ bench-peers: packages-build ## the same packing here and in LAMMPS, if that is i
 demos: packages-build ## all cases of a few bodies into out/demos/, those that have changed
 	@$(MAKE) --no-print-directory -k run-demos
 
-# The page shows what failed too, so it is made in any case. A second make: only then the results are there to be listed.
+# The page shows what failed too, so it is made in any case. A second make: only then the results are there to be
+# listed.
 gallery: packages-gallery ## the demos as one page for a lecture: out/gallery/index.html
 	@$(MAKE) --no-print-directory -k run-demos; code=$$?; \
 	    $(MAKE) --no-print-directory $(OUT)/gallery/index.html || code=$$?; exit $$code
@@ -154,13 +159,15 @@ mutate: packages-test ## changes signs and factors one at a time: which test see
 	@$(MAKE) --no-print-directory build-all
 	tests/mutate/mutate.sh
 
-# Every allocation and every call to the system that fails, one at a time: half an hour on two cores. STRIDE=10 takes a tenth of them; make test a part.
+# Every allocation and every call to the system that fails, one at a time: half an hour on two cores. STRIDE=10 takes a
+# tenth of them; make test a part.
 STRIDE ?= 1
 faults: packages-test ## every allocation and system call fails in turn (half an hour; STRIDE=10 for a tenth)
 	@$(MAKE) --no-print-directory build-all build-faults
 	tests/faults/faults.sh $(TRUNDLE) $(BUILD)/tests/faults $(STRIDE)
 
-# N random scenes with threads and stops; of what goes wrong the scene and its files stay in out/random/. Another SEED, other scenes.
+# N random scenes with threads and stops; of what goes wrong the scene and its files stay in out/random/. Another SEED,
+# other scenes.
 N    ?= 200
 SEED ?= 1
 random: packages-test ## N=200 random scenes, SEED=1; what goes wrong stays in out/random/ (1 min)
@@ -173,7 +180,8 @@ test-slurm: packages-slurm ## a sweep as a job array on a Slurm of one node; nee
 	@$(MAKE) --no-print-directory build-all
 	TRUNDLE=$(abspath $(TRUNDLE)) tests/cluster/slurm.sh
 
-# The same tests under the address and undefined-behaviour sanitizers: of gcc, and of clang where it is, which sees other faults.
+# The same tests under the address and undefined-behaviour sanitizers: of gcc, and of clang where it is, which sees
+# other faults.
 SANITIZE := CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=undefined'
 asan: packages-test ## the tests under the address and undefined-behaviour sanitizers
 	@$(MAKE) --no-print-directory run-tests BUILD=build/asan TRUNDLE=build/asan/trundle $(SANITIZE)
@@ -228,7 +236,7 @@ help: ## this list
 packages-%:
 	@.ci/packages $*
 
-# ---- what the targets above call ------------------------------------------------------------------------------------------
+# ---- the steps of the targets above --------------------------------------------------------------------------------
 
 TRUNDLE ?= trundle
 build-all: $(TRUNDLE)
