@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The file of a checkpoint: what is put in comes out; nothing but that is taken; and whichever call fails while it is written, or
- * whenever the run is killed, the last good state is whole. Calls are made to fail by the linker's --wrap (Makefile). */
+/* The file of a checkpoint: what is put in comes out; nothing but that is taken; and whichever call fails while it is
+ * written, or whenever the run is killed, the last good state is whole. Calls are made to fail by the linker's --wrap
+ * (Makefile). */
 #include "assert_close.h"
 #include "base/checkpoint.h"
 #include "base/hash.h"

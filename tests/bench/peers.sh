@@ -1,12 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# One packing with the same laws and the same motion in trundle and in LAMMPS, in turn, on one core each: time of a step, and
-# the states, to show that it is the same work. What is the same and what is not: src/study/bench_packing.c.
+# One packing with the same laws and the same motion in trundle and in LAMMPS, in turn, on one core each: time of a
+# step, and the states, to show that it is the same work. What is the same and what is not: src/study/bench_packing.c.
 # usage: peers.sh TRUNDLE OUT.csv [REPEATS]
 #
-# Times are those of the processor (LAMMPS: loop time x CPU use), of the last 5000 steps. States are compared after the first
-# 1000: later the two drift apart, as any two roundings of a granular flow do. Tolerances: the arms of friction differ by
-# half an overlap, 1e-3 of a radius; gran/hooke/history also has another damping between disks of unequal size.
+# Times are those of the processor (LAMMPS: loop time x CPU use), of the last 5000 steps. States are compared after the
+# first 1000: later the two drift apart, as any two roundings of a granular flow do. Tolerances: the arms of friction
+# differ by half an overlap, 1e-3 of a radius; gran/hooke/history also has another damping between disks of unequal
+# size.
 set -eu
 export LC_ALL=C OMP_NUM_THREADS=1
 trundle=$1 out=$2 repeats=${3:-9} here=$(dirname "$0")

@@ -213,8 +213,8 @@ static void check_images(const tr_broad_input *in, const tr_pairs *pairs) {
     assert_int_equal(next, pairs->n);
 }
 
-/* Radii 1:10 in cells that a strain squeezes from wide to tall, down to the least side; a tenth of the disks on edges, the
- * first four in the corners. */
+/* Radii 1:10 in cells that a strain squeezes from wide to tall, down to the least side; a tenth of the disks on edges,
+ * the first four in the corners. */
 static void test_periodic_cells(void **state) {
     (void)state;
     enum { N = 90, STEPS = 60 };

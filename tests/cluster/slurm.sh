@@ -1,8 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# cases/cluster/sweep.sbatch on a Slurm of one node, brought up here and without systemd: the job array gives the same bytes as the
-# sweep by itself; a task that is killed and put back into the queue does its point again; the job that depends on the array collects.
-# Not one of the tests of `make test`: it needs root and three daemons. usage: tests/cluster/slurm.sh, or make test-slurm
+# cases/cluster/sweep.sbatch on a Slurm of one node, brought up here and without systemd: the job array gives the same
+# bytes as the sweep by itself; a task that is killed and put back into the queue does its point again; the job that
+# depends on the array collects. Not one of the tests of `make test`: it needs root and three daemons. usage:
+# tests/cluster/slurm.sh, or make test-slurm
 set -u
 # shellcheck source=tests/system/tap.sh
 . "$(dirname "$0")/../system/tap.sh"

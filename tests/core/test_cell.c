@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Periodic cells. References: closed forms of lattices and of a gas, the same bodies in the open plane (which has no cell
- * code), invariance under shift, drift and tiling, conserved momentum. */
+/* Periodic cells. References: closed forms of lattices and of a gas, the same bodies in the open plane (which has no
+ * cell code), invariance under shift, drift and tiling, conserved momentum. */
 #include "core/cell.h"
 #include "core/contacts.h"
 #include "core/ledger.h"
@@ -21,8 +21,8 @@ typedef struct pair_state {
     double x, y, vx, vy, w1, w2, fx, fy, torque, x_contact, y_contact, hist[HISTORY];
 } pair_state;
 
-/* Disks that touch, strike, slide and roll on each other while they drift. In a cell their way leads through its edges and
- * corners, at another phase for each (x0, y0). */
+/* Disks that touch, strike, slide and roll on each other while they drift. In a cell their way leads through its edges
+ * and corners, at another phase for each (x0, y0). */
 static pair_state strike(bool cell, double x0, double y0, int n_steps, int64_t *wraps) {
     tr_world w;
     const double D = 0.02;
@@ -90,8 +90,9 @@ static void test_an_edge_is_no_place(void **state) {
     assert_true(none == 0 && wraps >= 12);
 }
 
-/* Two disks at rest, and two near each other elsewhere, so that the list is not empty; the cell closes the gap across its edge, which is wider than all skins: the list must follow the
- * images, though no disk moves. Force k (rate t - gap), along x or y. */
+/* Two disks at rest, and two near each other elsewhere, so that the list is not empty; the cell closes the gap across
+ * its edge, which is wider than all skins: the list must follow the images, though no disk moves. Force k (rate t -
+ * gap), along x or y. */
 static void test_images_alone_move(void **state) {
     (void)state;
     const double k_n = 1e6, rate = -0.7, gap = 1.3; /* the wide skin is 0.6 */
@@ -205,8 +206,8 @@ static void test_lattices_flow(void **state) {
 
 /* ---- a gas that is pressed ---- */
 
-/* Disks that never touch: each keeps its c L, so that K of a direction goes as 1/L^2, and all of it is work of the cell.
- * Their momentum relative to the flow goes as 1/L. */
+/* Disks that never touch: each keeps its c L, so that K of a direction goes as 1/L^2, and all of it is work of the
+ * cell. Their momentum relative to the flow goes as 1/L. */
 static void test_gas(void **state) {
     (void)state;
     enum { N = 20 };
@@ -262,8 +263,8 @@ static void displace(tr_world *w, double x, double y, double vx, double vy) {
     }
 }
 
-/* The servo of the width is at work, the height shrinks. While no rounding has grown (it grows by 10 in some hundred steps, as in all packings), forces
- * and stresses are the same, and the energies too, which count from the flow. */
+/* The servo of the width is at work, the height shrinks. While no rounding has grown (it grows by 10 in some hundred
+ * steps, as in all packings), forces and stresses are the same, and the energies too, which count from the flow. */
 static void assert_same_elsewhere(double x, double y, double vx, double vy) {
     tr_scene scene = periodic_scene(N, 2, sand);
     tr_biaxial b, other;

@@ -98,8 +98,9 @@ static void test_approach_from_far_is_seen(void **state) {
         }
 }
 
-/* What stretches with its box or its cell: 144 disks, held, follow the walls, and do not quite where `astray`, in radii, is
- * above 0. Rows come closer until they overlap by 0.1 R: gaps that were within the thin skin, beyond it, beyond the wide one. */
+/* What stretches with its box or its cell: 144 disks, held, follow the walls, and do not quite where `astray`, in
+ * radii, is above 0. Rows come closer until they overlap by 0.1 R: gaps that were within the thin skin, beyond it,
+ * beyond the wide one. */
 static void stretch(bool periodic, double rows, double astray) {
     enum { ROW = 12, N = ROW * ROW, TIMES = 400 };
     const double R = 1e-3, pitch[2] = {2.2 * R, rows * R}, dt = 1e-3, time = TIMES * dt;
@@ -151,8 +152,8 @@ static void stretch(bool periodic, double rows, double astray) {
         tr_step_advance(&w);
     }
     assert_true(touched[0] > 10 * N && (periodic || touched[1] > 10 * ROW));
-    /* A list lasts until disks have come closer by the skin, not until one at a wall has moved half of it: there are 1/ROW
-     * as many. Half as many again, for the thin skin must fit into what is left of the wide one. */
+    /* A list lasts until disks have come closer by the skin, not until one at a wall has moved half of it: there are
+     * 1/ROW as many. Half as many again, for the thin skin must fit into what is left of the wide one. */
     double closer = (rows - 1.9) * R, lists = closer / w.thin_skin, searches = closer / (w.wide_skin - w.thin_skin);
     if (astray == 0) assert_true((double)w.refreshes < 2 + 1.5 * lists && (double)w.searches < 2 + 1.5 * searches);
     tr_world_free(&w);
@@ -258,7 +259,8 @@ static void test_histories_survive_growth(void **state) {
     tr_world_free(&w);
 }
 
-/* A wall crushes a disk while the list of disks changes: who looks at the state still finds contacts with their own radii and histories. */
+/* A wall crushes a disk while the list of disks changes: who looks at the state still finds contacts with their own
+ * radii and histories. */
 static void test_a_failed_renewal_leaves_the_lists(void **state) {
     (void)state;
     tr_world w;

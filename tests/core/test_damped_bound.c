@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The bound on the step for any stiffness and dashpot that a law may state, alone or together. No law of the registry has a dashpot in
- * sliding, or one without a spring; these do. References:
+/* The bound on the step for any stiffness and dashpot that a law may state, alone or together. No law of the registry
+ * has a dashpot in sliding, or one without a spring; these do. References:
  *
- *   the step as a matrix, x and y = dt v:  y <- y - dt^2 K x - dt C y,  x <- x + y, K and C from the definitions of the velocities; its
+ *   the step as a matrix, x and y = dt v:  y <- y - dt^2 K x - dt C y,  x <- x + y, K and C from the definitions of the
+ *                                          velocities; its
  *   spectral radius from its powers. No line of core/timestep.c is in it
  *   closed forms of dashpots alone, dt = 2/g, and the leapfrog of the tool with these laws just below and just above */
 #include "core/worlds.h"

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* A disk on a floor that runs under it, leaning on one that is held: one contact slides, one sticks. Friction of the sliding one
- * follows its normal force, so the stiffness is not symmetric, and without dashpots two modes may couple and grow: flutter
- * [Hoffmann2002]. In q = (x, y, R theta), of masses m, m, m/2, with e to the held disk, s the sliding of that contact, and the pull of the
- * floor p:
+/* A disk on a floor that runs under it, leaning on one that is held: one contact slides, one sticks. Friction of the
+ * sliding one follows its normal force, so the stiffness is not symmetric, and without dashpots two modes may couple
+ * and grow: flutter [Hoffmann2002]. In q = (x, y, R theta), of masses m, m, m/2, with e to the held disk, s the sliding
+ * of that contact, and the pull of the floor p:
  *
  *   K = k_n e e' + k_t s s' + k_n p (0, 1, 0),   e = (cos a, sin a, 0),   s = (-sin a, cos a, 1),   p = (mu, 1, mu)
  *
- * The eigenvalues of M^-1 K are the roots of a cubic; a complex pair grows as Im sqrt of it. A negative root k grows as sqrt(-k), and does
- * not swing: the floor draws the disk in under the other. */
+ * The eigenvalues of M^-1 K are the roots of a cubic; a complex pair grows as Im sqrt of it. A negative root k grows as
+ * sqrt(-k), and does not swing: the floor draws the disk in under the other. */
 #include "core/worlds.h"
 
 static const double R = 0.01, DENSITY = 1000, K_N = 1e6, LAP = 1e-8;
@@ -101,8 +101,8 @@ static void test_flutter_of_one_disk(void **state) {
                     rest++;
                     continue;
                 }
-                /* a tenth of the bound: (dt w)^2/8 = 0.5 % at most; a hundredth of other modes at both ends, and the phase in the
-                 * window, over ln 1e3: 1 % */
+                /* a tenth of the bound: (dt w)^2/8 = 0.5 % at most; a hundredth of other modes at both ends, and the
+                 * phase in the window, over ln 1e3: 1 % */
                 assert_close(tool, exact, 0.02, 0);
                 grow++;
             }

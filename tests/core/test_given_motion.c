@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* A disk whose motion is given is infinitely heavy in what is given: prescribed and orbit in m and I, pinned in m, driven in I.
+/* A disk whose motion is given is infinitely heavy in what is given: prescribed and orbit in m and I, pinned in m,
+ * driven in I.
  *
- *   rebound   e = exp(-(pi - 2 q) tan q), sin q = z: damping ratio, of hertz-sphere sqrt(6/5) times that, released at force 0
- *   swing     of star-displacement-damping at constant force: omega^2 = k_r (1/I1 + 1/I2), 1/I = 0 where the spin is given;
- *             damping ratio c (1/I1 + 1/I2)/(2 omega), c = 2 nu sqrt(I_r k_r)
+ *   rebound   e = exp(-(pi - 2 q) tan q), sin q = z: damping ratio, of hertz-sphere sqrt(6/5) times that, released at
+ *             force 0
+ *   swing     of star-displacement-damping at constant force: omega^2 = k_r (1/I1 + 1/I2), 1/I = 0 where the spin is
+ *             given; damping ratio c (1/I1 + 1/I2)/(2 omega), c = 2 nu sqrt(I_r k_r)
  *
  * and invariance: what is given does not care for the density. */
 #include "core/bodies.h"
@@ -78,14 +80,16 @@ static void test_rebound_does_not_know_the_density_of_what_is_given(void **state
                 for (int d = 0; d < 3; d++) {
                     double q = asin((law ? sqrt(1.2) : 1) * zeta[z]), e = exp(-(M_PI - 2 * q) * tan(q));
                     if (!law) assert_close(e, kept[z], 0, 1e-5); /* five digits */
-                    /* first order: the force begins with a jump and the dashpot sees a velocity half a step old; an impact takes 5000
-                     * steps or more, of which each errs by pi (zeta + 0.05) of itself as in test_impact */
+                    /* first order: the force begins with a jump and the dashpot sees a velocity half a step old; an
+                     * impact takes 5000 steps or more, of which each errs by pi (zeta + 0.05) of itself as in
+                     * test_impact */
                     assert_close(rebound(law ? "hertz-sphere" : "linear", zeta[z], given[m], DENSITY, densities[d]), e,
                                  0, M_PI * (zeta[z] + 0.05) / 5000);
                 }
 }
 
-/* No closed form, but one fall: a free disk on one that is infinitely heavy moves as two of twice its mass do in their middle. */
+/* No closed form, but one fall: a free disk on one that is infinitely heavy moves as two of twice its mass do in their
+ * middle. */
 static void test_rebound_by_the_line_contact(void **state) {
     (void)state;
     for (int m = 0; m < 3; m++)
@@ -230,7 +234,8 @@ static void test_damped_swing_of_what_may_turn(void **state) {
                 double t = k * dt - start_at, turned = spin * t, now = 1;
                 double relative = s.b.world.disks.vel[4 * last + 2] - (last ? s.b.world.disks.vel[2] : 0);
                 if (w.per_I > 0) now = exp(-w.ratio * w.omega * t) * (cos(d * t) - w.ratio * w.omega / d * sin(d * t));
-                /* spins are half a step old, and the dashpot sees them so: two of 1000 steps in a radian, as in test_star */
+                /* spins are half a step old, and the dashpot sees them so: two of 1000 steps in a radian, as in
+                 * test_star */
                 assert_close(-relative / spin, now, 0, 4e-3 * (1 + 2 * w.ratio));
                 if (w.per_I > 0) continue;
                 /* nothing turns freely: the moment is that of the spring alone, up to its bound; a step more or less */
@@ -268,7 +273,8 @@ static void test_dashpot_where_nothing_finite_is_left(void **state) {
     }
 }
 
-/* A free disk is braked by the whole of its own inertia about the contact point, I + m R^2 = 3 I, and by no more, whatever it rolls on. */
+/* A free disk is braked by the whole of its own inertia about the contact point, I + m R^2 = 3 I, and by no more,
+ * whatever it rolls on. */
 static void test_dashpot_of_a_free_disk_on_a_given_one(void **state) {
     (void)state;
     for (int m = 0; m < 4; m++)
@@ -287,8 +293,8 @@ static void test_dashpot_of_a_free_disk_on_a_given_one(void **state) {
 
 /* ---- sign laws, and the ledger */
 
-/* The moment against a spin that is given is the whole one, however slow the spin and light the disk; a free partner at rest is stopped by
- * what friction gives it and stays. */
+/* The moment against a spin that is given is the whole one, however slow the spin and light the disk; a free partner at
+ * rest is stopped by what friction gives it and stays. */
 static void test_moment_against_a_given_spin(void **state) {
     (void)state;
     const tr_param_catalog *catalog = tr_laws_catalog();

@@ -68,8 +68,9 @@ static void test_the_ledger_keeps_what_the_laws_need(void **state) {
     assert_case(sand, "star-force-proportional", true, false, 3 + 2 + 2 + 3, 2);
 }
 
-/* A ledger of a single slot is no other account of it: with rolling resistance that never acts (k_r, mu_r tiny) the energies of
- * normal force and friction are those of the scene without the law. Tolerance: the share of the tiny spring. */
+/* A ledger of a single slot is no other account of it: with rolling resistance that never acts (k_r, mu_r tiny) the
+ * energies of normal force and friction are those of the scene without the law. Tolerance: the share of the tiny
+ * spring. */
 static void test_accounts_do_not_depend_on_their_places(void **state) {
     (void)state;
     tr_energy e[2][2];

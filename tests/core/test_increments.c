@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What contacts did over an interval. References: disks whose motion is prescribed, so that sliding, rolling, a and forces are closed
- * forms; Carter's and Kalker's steady state, where creep takes off all of the sliding; the virial of the cell. */
+/* What contacts did over an interval. References: disks whose motion is prescribed, so that sliding, rolling, a and
+ * forces are closed forms; Carter's and Kalker's steady state, where creep takes off all of the sliding; the virial of
+ * the cell. */
 #include "core/pipeline.h"
 #include "core/record.h"
 #include "core/worlds.h"

@@ -57,8 +57,8 @@ static void test_residual_falls_with_the_step(void **state) {
     assert_true(order > 0.8); /* contacts open and close between steps: first order at least */
 }
 
-/* Without friction the dashpots take all the work, in collisions that start and end between steps: they must be booked to
- * second order to stay below what is asked for at the default step. */
+/* Without friction the dashpots take all the work, in collisions that start and end between steps: they must be booked
+ * to second order to stay below what is asked for at the default step. */
 static void test_dashpots_alone(void **state) {
     (void)state;
     test_laws smooth = sand;

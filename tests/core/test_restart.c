@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* A biaxial test that is saved in the midst of its way and loaded into a new one goes on bit for bit. For every law of the
- * registries, every boundary, kind of wall, stress that is held and shape, so that what is added later is covered. What is compared is all that a run reads, not
- * the fields that are saved. */
+/* A biaxial test that is saved in the midst of its way and loaded into a new one goes on bit for bit. For every law of
+ * the registries, every boundary, kind of wall, stress that is held and shape, so that what is added later is covered.
+ * What is compared is all that a run reads, not the fields that are saved. */
 #include "core/checkpoint.h"
 #include "core/ledger.h"
 #include "core/measures.h"
@@ -31,8 +31,8 @@ static void add(text *t, const char *format, ...) {
     va_end(args);
 }
 
-/* The parameters that a law must be given, and stiffnesses, whose default may name another law's; each once, though two laws
- * may share it. */
+/* The parameters that a law must be given, and stiffnesses, whose default may name another law's; each once, though two
+ * laws may share it. */
 static void add_parameters(text *t, const tr_law *law) {
     for (int i = 0; i < law->table.n; i++) {
         const tr_param *p = &law->table.params[i];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Thrown samples: whatever the seed, every disk has a place, inside of the box and without overlap. Checked pair by pair,
- * without the grid that the throw uses. */
+/* Thrown samples: whatever the seed, every disk has a place, inside of the box and without overlap. Checked pair by
+ * pair, without the grid that the throw uses. */
 #include "core/sample.h"
 #include "assert_close.h"
 
@@ -34,7 +34,8 @@ static double check_throw(int n, double ratio, bool periodic, uint64_t seed) {
     return side / fmax(sqrt(area / 0.4), 4 * sample.r_max);
 }
 
-/* Seeds 1, 17 and 29 of 3 disks, 5 and 8 of 5, 3 of 10 leave no room for the last one in the box of solid fraction 0.4. */
+/* Seeds 1, 17 and 29 of 3 disks, 5 and 8 of 5, 3 of 10 leave no room for the last one in the box of solid fraction
+ * 0.4. */
 static void every_seed_finds_room(void **state) {
     (void)state;
     static const int sizes[] = {2, 3, 5, 10, 20, 30};

@@ -34,7 +34,8 @@ static tr_measures measure(tr_world *world, tr_record record[2]) {
     return m;
 }
 
-/* Spins alone, the centres at rest: s_1 = R1 w1, s_2 = -R2 w2 on each contact. Arms r_i = R_i (1 - overlap/(R1 + R2)). */
+/* Spins alone, the centres at rest: s_1 = R1 w1, s_2 = -R2 w2 on each contact. Arms r_i = R_i (1 - overlap/(R1 +
+ * R2)). */
 static void test_pure_motions(void **state) {
     (void)state;
     static const struct {

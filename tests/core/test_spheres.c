@@ -4,7 +4,8 @@
  *
  * Impact without damping: the speed is v^2 - (4K/5m) delta^(5/2), m the effective mass, so that
  *   delta_max = (5 m v^2/(4K))^(2/5),
- *   duration = (2 delta_max/v) int_0^1 dx/sqrt(1 - x^(5/2)) = 4 sqrt(pi) Gamma(2/5)/(5 Gamma(9/10)) delta_max/v = 2.9432...
+ *   duration = (2 delta_max/v) int_0^1 dx/sqrt(1 - x^(5/2)) = 4 sqrt(pi) Gamma(2/5)/(5 Gamma(9/10)) delta_max/v =
+ *   2.9432...
  * With damping, s = delta^(5/4) makes v(s) that of a linear spring and dashpot of ratio sin q = sqrt(6/5) zeta, and the
  * contact ends with the force: e = exp(-(pi - 2q) tan q), at every speed.
  * Slip to roll on a floor: Vs slows by 7/2 mu g: t = 2 v0/(7 mu g), v = 5/7 v0, and 2/7 of the energy is lost. */
@@ -149,8 +150,8 @@ static void put_on_floor(tr_world *w, test_laws laws) {
     set_hertz(w, "hertz-sphere", laws, 0);
 }
 
-/* The tangential spring is not rigid: Vs swings with w_t = sqrt(7 k_t/(2m)), and a velocity may be off by mu g/w_t; stiffness
- * times 4 is a step of half the length, and the rigid sphere is the limit. */
+/* The tangential spring is not rigid: Vs swings with w_t = sqrt(7 k_t/(2m)), and a velocity may be off by mu g/w_t;
+ * stiffness times 4 is a step of half the length, and the rigid sphere is the limit. */
 static void test_slip_to_roll(void **state) {
     (void)state;
     double v0 = 0.3, mu = 0.2, h[3], error[3];
@@ -267,8 +268,8 @@ static void test_cluster(void **state) {
         print_message("cluster, mu %.1f, damping ratio %.1f: residual over energy %.1e, %.1e, %.1e, %.1e, order %.2f\n",
                       laws[l].mu, laws[l].damping_ratio, residual[0], residual[1], residual[2], residual[3], order);
         /* Springs alone: leapfrog swings by (w dt)^2/16 of the energy in a spring, order 2; w dt = 0.3 at 0.4, a fifth
-         * of the energy in springs. Friction takes as much, and the books are out by the first or last of the 20 steps of
-         * a contact: 0.01, first order. */
+         * of the energy in springs. Friction takes as much, and the books are out by the first or last of the 20 steps
+         * of a contact: 0.01, first order. */
         bool slides = laws[l].mu > 0;
         for (int i = 0; i < 4; i++) assert_close(residual[i], 0, 0, slides ? 0.025 * h[i] : 0.01 * h[i] * h[i]);
         assert_true(order > (slides ? 0.8 : 1.8));
@@ -312,7 +313,8 @@ static void press(tr_world *w, rest *r, double zeta) {
 static double growth(rest r, double zeta, double share) {
     tr_world w;
     press(&w, &r, zeta);
-    /* Two contacts with what is held: k and c = 2 zeta sqrt(k m) both double, and c/(2 sqrt(k m)) has the root of it. */
+    /* Two contacts with what is held: k and c = 2 zeta sqrt(k m) both double, and c/(2 sqrt(k m)) has the root of
+     * it. */
     double ratio = (r.floor ? 1 : sqrt(2)) * zeta, bound = 2 / r.frequency * (sqrt(1 + ratio * ratio) - ratio), y0;
     forces(&w);
     assert_close(tr_timestep_contacts(&w).dt, bound, 1e-9, 0); /* digits of the overlap */
@@ -367,7 +369,8 @@ static void test_frequency(void **state) {
     }
 }
 
-/* Before contacts are known: an overlap of TR_EXPECTED_OVERLAP of the radius; and what is deeper is refused at its own. */
+/* Before contacts are known: an overlap of TR_EXPECTED_OVERLAP of the radius; and what is deeper is refused at its
+ * own. */
 static void test_expected_overlap(void **state) {
     (void)state;
     tr_world w;

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Threads change no bit: the same world moved by one thread, by two, by three and by a number that changes on the way, as after a
- * restart. Between walls and in a periodic cell, with ledger and arcs. One thread runs another code, which stores nothing: the
- * reference. */
+/* Threads change no bit: the same world moved by one thread, by two, by three and by a number that changes on the way,
+ * as after a restart. Between walls and in a periodic cell, with ledger and arcs. One thread runs another code, which
+ * stores nothing: the reference. */
 #include "core/increments.h"
 #include "core/paths.h"
 #include "core/pipeline.h"
 #include "core/worlds.h"
 #include <string.h>
 
-/* 4900 disks of a lattice that overlap by up to 2.5 % or not at all, numbered by rows: each share of the disks has contacts with
- * the next one, and in a cell the first with the last. In 60 steps the fastest disks move 0.2 mm, four times half the thin skin: lists
- * are renewed. */
+/* 4900 disks of a lattice that overlap by up to 2.5 % or not at all, numbered by rows: each share of the disks has
+ * contacts with the next one, and in a cell the first with the last. In 60 steps the fastest disks move 0.2 mm, four
+ * times half the thin skin: lists are renewed. */
 enum { ROW = 70, STEPS = 60 };
 
 static void set_threads(tr_world *world, int n) {

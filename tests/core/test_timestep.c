@@ -350,8 +350,8 @@ static void test_step_above_the_bound_is_named(void **state) {
     tr_world_free(&w);
 }
 
-/* A step that is stable in any packing of the disks: pistons are looked at all the same. m is the disk's mass, M the piston's; the disk
- * has one contact, and in any packing of two bodies no more. */
+/* A step that is stable in any packing of the disks: pistons are looked at all the same. m is the disk's mass, M the
+ * piston's; the disk has one contact, and in any packing of two bodies no more. */
 static void test_a_light_piston_is_named(void **state) {
     (void)state;
     for (int light = 0; light < 2; light++) {
@@ -375,8 +375,9 @@ static void test_a_light_piston_is_named(void **state) {
     }
 }
 
-/* What may come is not left out because of what is: the two free disks, neither smallest nor largest, do not touch yet, and the others,
- * which they might, are held; facets of a bowl may all touch a disk. m: of a free disk, z: contacts that it may have. */
+/* What may come is not left out because of what is: the two free disks, neither smallest nor largest, do not touch yet,
+ * and the others, which they might, are held; facets of a bowl may all touch a disk. m: of a free disk, z: contacts
+ * that it may have. */
 static void test_sure_of_what_may_come(void **state) {
     (void)state;
     for (int bowl = 0; bowl < 2; bowl++) {

@@ -200,7 +200,8 @@ static void test_png_round_trip(void **state) {
     free(h);
 }
 
-/* What cannot be made smaller has room too: noise that libpng wrote comes back. A picture after it leaves nothing of it. */
+/* What cannot be made smaller has room too: noise that libpng wrote comes back. A picture after it leaves nothing of
+ * it. */
 static void test_png_of_noise(void **state) {
     fixture *f = *state;
     tr_status st = {0};
@@ -270,8 +271,9 @@ static void test_biaxial_pixels(void **state) {
     free(h);
 }
 
-/* A disk between pixels, without a rim: its area, and its width in each row where the edge is steep. The polygon has 0.6 % less area
- * than the circle and leaves it by 1/8 px, along a row 1.4 times that; coverage is to 1/4 px; both at two edges. */
+/* A disk between pixels, without a rim: its area, and its width in each row where the edge is steep. The polygon has
+ * 0.6 % less area than the circle and leaves it by 1/8 px, along a row 1.4 times that; coverage is to 1/4 px; both at
+ * two edges. */
 static void test_disks_are_round(void **state) {
     fixture *f = *state;
     hand_made *h = hand_start();
@@ -296,8 +298,8 @@ static bool near(unsigned hue, tr_rgb c) { /* to half a step of 33, in which a c
     return fabs(h.r - c.r) < 0.04 && fabs(h.g - c.g) < 0.04 && fabs(h.b - c.b) < 0.04;
 }
 
-/* Four disks in a row over the width of the view, in the colour of their rotation or of the mean field of their contacts,
- * by hand; lines are not drawn over them. */
+/* Four disks in a row over the width of the view, in the colour of their rotation or of the mean field of their
+ * contacts, by hand; lines are not drawn over them. */
 static void test_disks_in_the_colour_of_a_field(void **state) {
     fixture *f = *state;
     hand_made *h = hand_start();
@@ -335,8 +337,8 @@ static void test_disks_in_the_colour_of_a_field(void **state) {
     free(h);
 }
 
-/* One disk across the right edge of a cell: in full inside, its image on the left too, what is outside is pale; a contact
- * across the edge goes to the image. The origin is at (420, 342) px. */
+/* One disk across the right edge of a cell: in full inside, its image on the left too, what is outside is pale; a
+ * contact across the edge goes to the image. The origin is at (420, 342) px. */
 static void test_cell_pixels(void **state) {
     fixture *f = *state;
     hand_made *h = hand_start();

@@ -417,7 +417,8 @@ static void test_rubbed_floor_is_as_long_as_said(void **state) {
     free(h);
 }
 
-/* Range of the plot from its horizontal grid is not known here; equal steps of value, and of time, are equal on paper. */
+/* Range of the plot from its horizontal grid is not known here; equal steps of value, and of time, are equal on
+ * paper. */
 static void test_chart_is_linear_in_value_and_time(void **state) {
     (void)state;
     enum { LANE = 1 }; /* its curve alone has the colour, its mark alone is faint */

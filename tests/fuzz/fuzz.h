@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What the fuzz targets share. A target is one file with one LLVMFuzzerTestOneInput. `make fuzz` builds it with clang's libFuzzer;
- * `make test` builds it with replay.c in the place of libFuzzer and feeds it the inputs of corpus/. */
+/* What the fuzz targets share. A target is one file with one LLVMFuzzerTestOneInput. `make fuzz` builds it with clang's
+ * libFuzzer; `make test` builds it with replay.c in the place of libFuzzer and feeds it the inputs of corpus/. */
 #ifndef FUZZ_H
 #define FUZZ_H
 

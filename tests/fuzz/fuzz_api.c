@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The laws that a program gives to the library, and what its bodies do: the text, a NUL byte, then ten numbers of 8 bytes
- * for each step (y, vx, vy, spin of body 1, x, y, vx, vy, spin of body 2, dt). All forces must be finite. */
+/* The laws that a program gives to the library, and what its bodies do: the text, a NUL byte, then ten numbers of 8
+ * bytes for each step (y, vx, vy, spin of body 1, x, y, vx, vy, spin of body 2, dt). All forces must be finite. */
 #include "fuzz.h"
 #include "trundle.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The reader of cases, with --set. Parts: the case, then one text KEY=VALUE for each --set. What is read must come back from the
- * resolved case as the same text. */
+/* The reader of cases, with --set. Parts: the case, then one text KEY=VALUE for each --set. What is read must come back
+ * from the resolved case as the same text. */
 #include "fuzz.h"
 #include "laws/law.h"
 #include "scene/scene.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Checkpoints and samples behind a checksum that is right. An input is a list of changes of a file that a run has left: which of
- * the two, where, and up to eight bytes to put there. The checksum is then made good, and the run goes on from the file. It must
- * end in time, with a message or with a result. */
+/* Checkpoints and samples behind a checksum that is right. An input is a list of changes of a file that a run has left:
+ * which of the two, where, and up to eight bytes to put there. The checksum is then made good, and the run goes on from
+ * the file. It must end in time, with a message or with a result. */
 #include "fuzz.h"
 #include "base/hash.h"
 #include "laws/law.h"

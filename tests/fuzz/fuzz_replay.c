@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The tables that `trundle replay` reads. Parts: paths.csv, history.csv, case.yaml, summary.json; the last three have defaults. */
+/* The tables that `trundle replay` reads. Parts: paths.csv, history.csv, case.yaml, summary.json; the last three have
+ * defaults. */
 #include "fuzz.h"
 #include "study/replay.h"
 #include "study/replay_read.h"

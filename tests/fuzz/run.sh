@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Runs each fuzz target for some seconds, as many at once as there are processors; tells how many inputs each took, and keeps what
-# was found. usage: tests/fuzz/run.sh BUILD SECONDS TARGET...
+# Runs each fuzz target for some seconds, as many at once as there are processors; tells how many inputs each took, and
+# keeps what was found. usage: tests/fuzz/run.sh BUILD SECONDS TARGET...
 set -u
 build=$(realpath "$1") seconds=$2
 shift 2

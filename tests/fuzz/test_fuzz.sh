@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Every input that once broke a reader, and every seed of tests/fuzz/corpus, goes through its reader again. `make fuzz` makes new ones.
+# Every input that once broke a reader, and every seed of tests/fuzz/corpus, goes through its reader again. `make fuzz`
+# makes new ones.
 . "$(dirname "$0")/../system/tap.sh"
 here=$(realpath "$(dirname "$0")")
 build=$(realpath "${BUILD:-build/release}")

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* cattaneo-mindlin against closed forms (the exact contact of cylinders, Mindlin's of spheres), against Masing's rule, and,
- * for the path in both directions, against a bed of many separate sliders. */
+/* cattaneo-mindlin against closed forms (the exact contact of cylinders, Mindlin's of spheres), against Masing's rule,
+ * and, for the path in both directions, against a bed of many separate sliders. */
 #include "base/random.h"
 #include "bed_rig.h"
 
@@ -61,8 +61,9 @@ static double virgin(double delta, double u) {
     return copysign(MU * (curve(&r, delta).force - curve(&r, left).force), u);
 }
 
-/* Q at u after the turns so far. From a turn the branch is the virgin curve at twice the scale, up to the turn before it;
- * there the loop is closed, and both are forgotten. The first branch goes on to the mirror image of the first turn. */
+/* Q at u after the turns so far. From a turn the branch is the virgin curve at twice the scale, up to the turn before
+ * it; there the loop is closed, and both are forgotten. The first branch goes on to the mirror image of the first
+ * turn. */
 static double masing(const turn *turns, int *n, double delta, double u) {
     while (*n) {
         turn last = turns[*n - 1];
@@ -207,7 +208,8 @@ static void test_any_path(void **state) {
     }
 }
 
-/* A straight path is one step or many; loading in a constant ratio below mu kappa is without slip, Q = (u/delta) P/kappa. */
+/* A straight path is one step or many; loading in a constant ratio below mu kappa is without slip, Q = (u/delta)
+ * P/kappa. */
 static void test_straight_path(void **state) {
     (void)state;
     for (int k = 0; k < NORMALS; k++)
@@ -288,7 +290,7 @@ static void test_cycle(void **state) {
     }
 }
 
-/* ---- more breakpoints than there is room for: under growing overlap the ratio of sliding to it changes all the time */
+/* ---- more breakpoints than room: the overlap grows, and its ratio to sliding changes all the time */
 
 static void test_overflow(void **state) {
     (void)state;

@@ -75,7 +75,7 @@ static const tr_law *normal_law(const char *name) {
     return NULL;
 }
 
-/* Laws that follow the curve of the normal force get a curved one. */
+/* Laws that follow the curve of the normal force get a curved normal law. */
 static const tr_law *normal_for(const tr_law *law) {
     if (shape == TR_SHAPE_SPHERE) return normal_law("hertz-sphere");
     return normal_law(law->merged ? "hertz-line" : "linear");

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* dahlberg-alfredsson, step: exact, at constant P (test_dahlberg_load.c: where P changes), against the differential
- * equation in q integrated here (Dormand and Prince's pair of orders 5 and 4, ends of partial slip and passages through q = 0 located), against closed forms, and against itself in
- * more steps. Backward Euler against it: the error it is there to show. */
+ * equation in q integrated here (Dormand and Prince's pair of orders 5 and 4, ends of partial slip and passages through
+ * q = 0 located), against closed forms, and against itself in more steps. Backward Euler against it: the error it is
+ * there to show. */
 #include "assert_close.h"
 #include "base/random.h"
 #include "core/convergence.h"
@@ -231,14 +232,16 @@ static void test_time_to_full_slip(void **state) {
             assert_true(one_step(P, v, 1, L * (1 + 1e-9)) == 1);
             for (double before = 1e-4; before > 1e-13; before *= 1e-4) {
                 Q[17] = q * M;
-                /* There dq/dtau = 2 (z + alpha) and z^2 = 2 alpha times what is left of tau. 1e-14: a rounding of tau. */
+                /* There dq/dtau = 2 (z + alpha) and z^2 = 2 alpha times what is left of tau. 1e-14: a rounding of
+                 * tau. */
                 double left = before * tau, rtol = 2 * sqrt(2 * left / alpha);
                 assert_close(1 - one_step(P, v, 1, L * (1 - before)), 2 * alpha * left, rtol, 1e-14 * (1 + alpha));
             }
         }
 }
 
-/* The implicit solution, and that of sliding against q, by long double logarithms: steps where these keep their digits. */
+/* The implicit solution, and that of sliding against q, by long double logarithms: steps where these keep their
+ * digits. */
 static void test_implicit_solution(void **state) {
     (void)state;
     tr_random random = tr_random_seed(8, 1);

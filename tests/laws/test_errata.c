@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Errata of the sources: each test writes out the printed form and shows that it fails where the passes of laws/ do not.
- * tests/README.md has the table. Some errata are shown elsewhere: Wang's eqs. 12, 16, 23, 24 in test_measures.c, creepage at full
- * slip in test_dahlberg.c, STAR's R_eq, limiter and damping in test_star.c.
+/* Errata of the sources: each test writes out the printed form and shows that it fails where the passes of laws/ do
+ * not. tests/README.md has the table. Some errata are shown elsewhere: Wang's eqs. 12, 16, 23, 24 in test_measures.c,
+ * creepage at full slip in test_dahlberg.c, STAR's R_eq, limiter and damping in test_star.c.
  *
  * TIGHT: a few roundings of numbers of order 1. */
 #include "core/convergence.h"
@@ -43,8 +43,8 @@ static void test_wang_16_23_24_need_X21(void **state) {
     assert_close(m.s2, 0, 0, TIGHT);
 }
 
-/* Eq. 13 takes the normal part off with X21 X21/(R1+R2)^2. With overlap a plain approach then has a "tangential" velocity,
- * along the normal. */
+/* Eq. 13 takes the normal part off with X21 X21/(R1+R2)^2. With overlap a plain approach then has a "tangential"
+ * velocity, along the normal. */
 static void test_wang_13_needs_X21(void **state) {
     (void)state;
     double delta = 0.1, L = R1 + R2 - delta, v = 0.8, x = L * COS, y = L * SIN, vx = -v * COS, vy = -v * SIN;
@@ -59,8 +59,8 @@ static void test_wang_13_needs_X21(void **state) {
     assert_close(m.v_s, 0, 0, TIGHT);
 }
 
-/* Eq. 5, dtheta = da/R1 = db/R2 "in the case of PS", holds relative to the branch vector only: in PS + RBR nothing spins
- * and the arcs are not zero. */
+/* Eq. 5, dtheta = da/R1 = db/R2 "in the case of PS", holds relative to the branch vector only: in PS + RBR nothing
+ * spins and the arcs are not zero. */
 static void test_wang_5_fails_with_rigid_rotation(void **state) {
     (void)state;
     double beta = 0.4, w = 0, L = R1 + R2;
@@ -71,7 +71,8 @@ static void test_wang_5_fails_with_rigid_rotation(void **state) {
     assert_close(m.wang, 0, 0, TIGHT);
 }
 
-/* Eq. 14, V_r = V_2, is the limit R1 -> inf of rolling over a resting disk: off by R2/R1. The wall's pass has it exactly. */
+/* Eq. 14, V_r = V_2, is the limit R1 -> inf of rolling over a resting disk: off by R2/R1. The wall's pass has it
+ * exactly. */
 static void test_wang_14_is_a_limit(void **state) {
     (void)state;
     double h[4], error[4];
@@ -127,8 +128,8 @@ static void step(double f_n, double dt) {
     B.law->step(&B.tile, &data);
 }
 
-/* Eq. 28 increments x_r "whenever k_r x_r <= mu_r F_n". Rolled over the bound, it never moves again; rolled the other way it
- * has no bound. The law turns back and stays within +-mu_r F_n. */
+/* Eq. 28 increments x_r "whenever k_r x_r <= mu_r F_n". Rolled over the bound, it never moves again; rolled the other
+ * way it has no bound. The law turns back and stays within +-mu_r F_n. */
 static void test_wang_28_locks_and_is_one_sided(void **state) {
     (void)state;
     const double k_r = 1e6, mu_r = 0.2, F = 1e3, bound = mu_r * F, R_eff = R1 * R2 / (R1 + R2), dx = bound / k_r / 100;
@@ -152,8 +153,8 @@ static void test_wang_28_locks_and_is_one_sided(void **state) {
 
 /* ---- Kuhn: kinematics */
 
-/* Eq. 2 along t, (dtheta^q - dtheta^p) x n = -(w2 - w1) t, needs K = -1/R for convex bodies. It then is eq. 5, and minus the
- * mean of s1 and s2: Kuhn's direction is that of the material through the contact. */
+/* Eq. 2 along t, (dtheta^q - dtheta^p) x n = -(w2 - w1) t, needs K = -1/R for convex bodies. It then is eq. 5, and
+ * minus the mean of s1 and s2: Kuhn's direction is that of the material through the contact. */
 static void test_kuhn_2_needs_negative_curvature(void **state) {
     (void)state;
     tr_random r = tr_random_seed(8, 1);
@@ -176,7 +177,8 @@ static double kalker_9(double q, double mu, double P, double G, double a, double
     return 3 * mu * P / (G * a * a * C11) * (1 - cbrt(1 - q));
 }
 
-/* Eqs. 10, 16, 17 are eq. 9 for equal spheres alone: whatever radius stands for R, but 2 R_star. P and a are Hertz's. */
+/* Eqs. 10, 16, 17 are eq. 9 for equal spheres alone: whatever radius stands for R, but 2 R_star. P and a are
+ * Hertz's. */
 static void test_kuhn_10_is_for_equal_spheres(void **state) {
     (void)state;
     const double nu = 0.15, C11 = 3.832, mu = 0.5, G = 29e9, delta = 1e-6, q = 0.6;
@@ -195,8 +197,8 @@ static void test_kuhn_10_is_for_equal_spheres(void **state) {
     }
 }
 
-/* Fig. 5's set-up (a = R/100, mu = 0.5, nu = 0.15). Below eq. 9: "xi -> inf as |Q| -> mu P"; but F(1) is 1/81, so steady
- * rolling has full friction up to 1/xi = 81, and "larger than 10" in section 3.1 is loose. */
+/* Fig. 5's set-up (a = R/100, mu = 0.5, nu = 0.15). Below eq. 9: "xi -> inf as |Q| -> mu P"; but F(1) is 1/81, so
+ * steady rolling has full friction up to 1/xi = 81, and "larger than 10" in section 3.1 is loose. */
 static void test_kuhn_creepage_at_full_slip_is_finite(void **state) {
     (void)state;
     const double nu = 0.15, C11 = 3.832, mu = 0.5, F1 = 8 * mu / ((1 - nu) * C11) * 0.01;
@@ -208,8 +210,8 @@ static void test_kuhn_creepage_at_full_slip_is_finite(void **state) {
     }
 }
 
-/* Eq. 11 has no signs: at Q < 0 (or rolling reversed) its creep loads the contact instead of relaxing it; and at du_disp = 0
- * it is inf times 0. The law does the mirror image in the mirror, and relaxes in all four cases. */
+/* Eq. 11 has no signs: at Q < 0 (or rolling reversed) its creep loads the contact instead of relaxing it; and at
+ * du_disp = 0 it is inf times 0. The law does the mirror image in the mirror, and relaxes in all four cases. */
 static void test_kuhn_11_is_unsigned(void **state) {
     (void)state;
     const double mu = 0.3, k_t = 3e8, E_star = 1e9, P = 4e5, R_star = R1 * R2 / (R1 + R2), Q0 = 0.5 * mu * P;
@@ -229,8 +231,8 @@ static void test_kuhn_11_is_unsigned(void **state) {
         }
 }
 
-/* Eqs. 14-15 call Q/|Q| p and du_roll/|du_roll| q; with eq. 12 the creep then goes along du_roll and vanishes across it. Eq.
- * 16 and the text: along Q, with the full |du_roll|. In the plane both are the same. */
+/* Eqs. 14-15 call Q/|Q| p and du_roll/|du_roll| q; with eq. 12 the creep then goes along du_roll and vanishes across
+ * it. Eq. 16 and the text: along Q, with the full |du_roll|. In the plane both are the same. */
 static void test_kuhn_14_15_are_swapped(void **state) {
     (void)state;
     double F = 0.01, Q[2] = {0, 3}, roll[][2] = {{2, 0}, {1, 1}, {0, -2}};
@@ -265,8 +267,8 @@ static void test_star_3275_lacks_the_minus(void **state) {
     }
 }
 
-/* Eq. 3278's second branch is for |M_k| > k_r theta_max, which the bound of eq. 3277 excludes: it is never taken, in any
- * motion. C_crit = 2 I_r k_r lacks the root: it goes with the force, critical damping with its square root. */
+/* Eq. 3278's second branch is for |M_k| > k_r theta_max, which the bound of eq. 3277 excludes: it is never taken, in
+ * any motion. C_crit = 2 I_r k_r lacks the root: it goes with the force, critical damping with its square root. */
 static void test_star_3278_branch_and_root(void **state) {
     (void)state;
     tr_random r = tr_random_seed(9, 1);

@@ -165,7 +165,8 @@ static void test_energy(void **state) {
     for_both(check_energy);
 }
 
-/* The pass over a tile agrees with the curve, and the dashpot is 2 zeta sqrt(k m_eff) v_n while the sum does not pull. */
+/* The pass over a tile agrees with the curve, and the dashpot is 2 zeta sqrt(k m_eff) v_n while the sum does not
+ * pull. */
 static void check_step(const tr_law *law, const double *R, const reference *r, double largest) {
     static tr_tile tile;
     static double constants[TR_MAX_PAIR][TR_TILE];
@@ -261,8 +262,8 @@ static void test_line_from_pressure(void **state) {
         }
 }
 
-/* Strain along the loaded radius of a disk between two plates, at z below the contact: stresses of two point forces on a
- * disk, the near one spread by Hertz [Johnson1985 eqs. 5.55-5.56]; times E/P. */
+/* Strain along the loaded radius of a disk between two plates, at z below the contact: stresses of two point forces on
+ * a disk, the near one spread by Hertz [Johnson1985 eqs. 5.55-5.56]; times E/P. */
 typedef struct disk_under_load {
     double R, a, nu;
 } disk_under_load;
@@ -275,8 +276,8 @@ static long double strain(long double z, const void *disk) {
     return -((1 - nu * nu) * along - nu * (1 + nu) * across) / M_PIl;
 }
 
-/* The default depth: the centres of two disks approach by what their loaded radii shorten. At a wall the disk alone, and
- * the wall is rigid. */
+/* The default depth: the centres of two disks approach by what their loaded radii shorten. At a wall the disk alone,
+ * and the wall is rigid. */
 static void test_default_depth(void **state) {
     (void)state;
     static const double nu[] = {0, 0.3, 0.5};
@@ -311,8 +312,8 @@ static double sinking(double r) {
     return sum;
 }
 
-/* Spheres: p0 sqrt(1 - r^2/a^2) with p0 such that the surfaces fit at half the radius, u(0) - u(a/2) = (a/2)^2/(2R); and
- * then they fit at the edge. */
+/* Spheres: p0 sqrt(1 - r^2/a^2) with p0 such that the surfaces fit at half the radius, u(0) - u(a/2) = (a/2)^2/(2R);
+ * and then they fit at the edge. */
 static void test_sphere_from_pressure(void **state) {
     (void)state;
     const tr_law *law = law_named("hertz-sphere");

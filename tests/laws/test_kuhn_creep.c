@@ -7,7 +7,8 @@
 
 static rig r;
 
-/* mu P, F0 and a of the contact as it is now, by the printed formulas. C11 of nu = 0.15 lies between 3.40 at 0 and 4.12 at
+/* mu P, F0 and a of the contact as it is now, by the printed formulas. C11 of nu = 0.15 lies between 3.40 at 0 and 4.12
+ * at
  * 0.25. */
 typedef struct rolling {
     double most, F0, a;
@@ -77,8 +78,8 @@ static void test_transient(void **state) {
     }
 }
 
-/* Steady rolling: xi = F(q), the fixed point of a step of any size. Kuhn's Fig. 5: equal spheres, a = 1 % of R, mu = 0.5,
- * nu = 0.15. */
+/* Steady rolling: xi = F(q), the fixed point of a step of any size. Kuhn's Fig. 5: equal spheres, a = 1 % of R, mu =
+ * 0.5, nu = 0.15. */
 static void test_steady(void **state) {
     (void)state;
     static const double inverse[] = {30, 100, 1000}, q[] = {1, 0.9936, 0.2249};
@@ -103,8 +104,8 @@ static void test_steady(void **state) {
     }
 }
 
-/* ---- everything changes: the same equation in small explicit steps, creep by the printed formulas and cattaneo-mindlin
- * for C^-1; Euler's method at two steps, extrapolated */
+/* ---- everything changes: the same equation in small explicit steps, creep by the printed formulas and
+ * cattaneo-mindlin for C^-1; Euler's method at two steps, extrapolated */
 
 static double creep(double Q, double roll) {
     rolling is = now();
@@ -166,9 +167,9 @@ static void test_order(void **state) {
 
 /* ---- any step */
 
-/* Rolling alone never turns Q over, whatever the step and though P changes (k % 5 = 3, 4). It wears Q off at constant P; a
- * falling P may raise it, by taking away sliders that were pushed back. Without work the store does not grow, but where
- * breakpoints did not fit. In the end nothing is left. */
+/* Rolling alone never turns Q over, whatever the step and though P changes (k % 5 = 3, 4). It wears Q off at constant
+ * P; a falling P may raise it, by taking away sliders that were pushed back. Without work the store does not grow, but
+ * where breakpoints did not fit. In the end nothing is left. */
 static void test_rolling_alone(void **state) {
     (void)state;
     tr_random random = tr_random_seed(9, 1);
@@ -232,7 +233,8 @@ static void test_any_input(void **state) {
     assert_true(partial > 1000);
 }
 
-/* kuhn and wang differ where bodies of unequal size slide: material rolls with (s1 + s2)/2 or (R2 s1 + R1 s2)/(R1 + R2). */
+/* kuhn and wang differ where bodies of unequal size slide: material rolls with (s1 + s2)/2 or (R2 s1 + R1 s2)/(R1 +
+ * R2). */
 static void test_creep_roll(void **state) {
     (void)state;
     double got[3];
@@ -267,8 +269,8 @@ static void test_vu_quoc_zhang(void **state) {
         }
 }
 
-/* u is the strain of the oldest slider, wherever the others are: after oblique loading rolling alone takes it back by u (1 -
- * exp(-(2/pi) u_roll/a)), as cattaneo-mindlin slides back by as much. */
+/* u is the strain of the oldest slider, wherever the others are: after oblique loading rolling alone takes it back by u
+ * (1 - exp(-(2/pi) u_roll/a)), as cattaneo-mindlin slides back by as much. */
 static void test_fading_after_oblique_loading(void **state) {
     (void)state;
     for (int k = 0; k < 2; k++) {

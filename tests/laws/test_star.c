@@ -105,7 +105,8 @@ static void test_spinning_disk(void **state) {
             double w0 = 40, slow = lever(s) * s.mu_r * 2 * G / RADIUS, *spin = &w.disks.vel[2];
             set_velocity(&w, 0, 0, 0, sense * w0);
             forces(&w), tr_ledger_begin(&w);
-            /* the moment is on from the second step; the spring needs theta_max to load, a moment half as large before */
+            /* the moment is on from the second step; the spring needs theta_max to load, a moment half as large
+             * before */
             double load = s.theta_max / w0, t = 0;
             while (sense * *spin > 0.2 * w0) {
                 tr_step_advance(&w), forces(&w), t += w.dt;
@@ -401,9 +402,9 @@ static void test_moment_limiter(void **state) {
 }
 
 /* 4 x 4 disks squeezed in a box, with spins so small that one step stops any of them. If each of a disk's four contacts
- * stopped it, the step would turn it back threefold until the caps bind: the compact would spin by itself, at a rate set by the
- * step. With their shares no mode of spins turns over. The limiter lets a contact take 8 % of the lesser spin at most, four of
- * them 32 % of a disk's own. */
+ * stopped it, the step would turn it back threefold until the caps bind: the compact would spin by itself, at a rate
+ * set by the step. With their shares no mode of spins turns over. The limiter lets a contact take 8 % of the lesser
+ * spin at most, four of them 32 % of a disk's own. */
 static double compact_spin(bool limiter, int n, double w0) {
     enum { SIDE = 4 };
     const double squeeze = 0.01 * RADIUS, pitch = 2 * RADIUS - squeeze, side = SIDE * pitch;
@@ -435,8 +436,8 @@ static void test_compact(void **state) {
     assert_true(with < 1e-3 * w0);
 }
 
-/* The share of a body's inertia that a contact has follows the number of its contacts, also where the contact is an old one: disk 2
- * comes to disk 1, and leaves it. */
+/* The share of a body's inertia that a contact has follows the number of its contacts, also where the contact is an old
+ * one: disk 2 comes to disk 1, and leaves it. */
 static void test_shares_follow_the_contacts(void **state) {
     (void)state;
     tr_world w;

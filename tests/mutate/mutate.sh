@@ -1,10 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Does the code change unseen? Makes the changes of table.tsv one at a time, in a copy of the tree, and says which test or row of
-# `trundle verify` fails for each. A change is seen by a test that is not golden, never by the compiler.
+# Does the code change unseen? Makes the changes of table.tsv one at a time, in a copy of the tree, and says which test
+# or row of `trundle verify` fails for each. A change is seen by a test that is not golden, never by the compiler.
 # usage: mutate.sh [TEXT]   only lines of the table with TEXT
 #        mutate.sh --check  only looks whether each line of the table still fits the code
-# Exit code: 0 all seen, 1 not all, 2 the table is wrong. Run it where the Makefile is; the copy takes over what is built.
+# Exit code: 0 all seen, 1 not all, 2 the table is wrong. Run it where the Makefile is; the copy takes over what is
+# built.
 set -u
 table=$(dirname "$0")/table.tsv
 tab=$(printf '\t')

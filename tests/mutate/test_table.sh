@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The table of `make mutate` fits the code: each text is there once, what is to see it exists. And mutate.sh says so if not.
+# The table of `make mutate` fits the code: each text is there once, what is to see it exists. And mutate.sh says so if
+# not.
 set -u
 # shellcheck source=tests/system/tap.sh
 . tests/system/tap.sh

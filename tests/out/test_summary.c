@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* 401 rows, strain 0..0.2 in steps of 0.0005: a window of 0.5 % strain is 10 rows. sin phi rises by 0.01 a row to 0.5 at row 50, has a
- * spike of one row at row 100, and is 0.3 from row 200 on; the void ratio is the strain.
+/* 401 rows, strain 0..0.2 in steps of 0.0005: a window of 0.5 % strain is 10 rows. sin phi rises by 0.01 a row to 0.5
+ * at row 50, has a spike of one row at row 100, and is 0.3 from row 200 on; the void ratio is the strain.
  * The share of rolling rises at row 299; the fraction of contacts with s1 s2 < 0 falls with the row. */
 static void test_strength(void **state) {
     (void)state;

@@ -145,7 +145,8 @@ static void test_carter(void **state) {
                 }
                 tr_half_plane_free(o);
             }
-            /* first order: the value for n -> infinity from the last two is Carter's, and n = 200 is within 3e-3 of it */
+            /* first order: the value for n -> infinity from the last two is Carter's, and n = 200 is within 3e-3 of
+             * it */
             assert_close(2 * by_n[2] - by_n[1], q, 0, 1e-3);
             assert_close(by_n[2], 2 * by_n[2] - by_n[1], 0, 3e-3);
         }

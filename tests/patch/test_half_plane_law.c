@@ -130,8 +130,8 @@ static void test_sudden_changes_at_any_size(void **state) {
     }
 }
 
-/* The force falls by orders of magnitude in one step, out of rest or of sliding: u_{n-1} is then large against all that the
- * contact can hold, and so is rounding. */
+/* The force falls by orders of magnitude in one step, out of rest or of sliding: u_{n-1} is then large against all that
+ * the contact can hold, and so is rounding. */
 static void test_load_falls(void **state) {
     (void)state;
     tr_status st = {0};

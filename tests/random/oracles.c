@@ -216,7 +216,8 @@ bool oracle_energy(const tr_scene *scene, const char *dir, oracle_text *why) {
     }
     free(t.text);
     /* It is of first order in the step: contacts open and close between two. At most 0.031 times the share that the
-     * step is of its bound was seen in 300 tests of a few disks and a few hundred steps; there it halves with the step. */
+     * step is of its bound was seen in 300 tests of a few disks and a few hundred steps; there it halves with the
+     * step. */
     return worst <= 0.06 * scene->step.safety * most ||
            wrong(why, "the energy residual is %.3g of the largest term", worst / most);
 }

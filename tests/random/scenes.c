@@ -257,7 +257,8 @@ static void biaxial(maker *m) {
     laws(m);
     bool mu = false;
     for (int k = 0; k < m->n_keys; k++) mu |= strcmp(m->key[k], "mu") == 0;
-    pressure = fmax(pressure * unit(m, (tr_dim)TR_DIM_STRESS), 2e-3); /* 1e-3 is the least; the lateral one may be half */
+    pressure = fmax(pressure * unit(m, (tr_dim)TR_DIM_STRESS), 2e-3); /* 1e-3 is the least; the lateral one may be
+                                                                       * half */
     fprintf(m->out, "}\nstep: {safety: %.6g}\n", one_in(m, 2) ? 0.4 : uniform(m, 0.05, 0.8));
     snprintf(more, sizeof more, ", curves: no, energy: %s, increments: %s, path_rows: %d, color: %s",
              one_in(m, 4) ? "no" : "yes", one_in(m, 3) ? "yes" : "no", one_in(m, 4) ? whole(m, 1, 20) : 0,

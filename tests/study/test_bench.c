@@ -70,9 +70,9 @@ static void read_case(tr_scene *scene, int disks) {
     if (!tr_scene_read(scene, "a.yaml", text, strlen(text), NULL, 0, tr_laws_catalog(), &st)) fail_msg("%s", st.text);
 }
 
-/* 2 x 2 tiles, mirrored at the right and at the top wall of the first: a contact with either becomes one of a disk with its image, in
- * both rows (columns); the contacts with the left and the bottom wall are there twice, at either end. All contacts of disks are
- * there four times. Tiles that are only shifted meet wrong neighbours, and miss these numbers. */
+/* 2 x 2 tiles, mirrored at the right and at the top wall of the first: a contact with either becomes one of a disk with
+ * its image, in both rows (columns); the contacts with the left and the bottom wall are there twice, at either end. All
+ * contacts of disks are there four times. Tiles that are only shifted meet wrong neighbours, and miss these numbers. */
 static void tiles_are_mirror_images(void **state) {
     (void)state;
     tr_scene scene[2];
@@ -96,9 +96,9 @@ static void tiles_are_mirror_images(void **state) {
     tr_scene_free(&scene[0]), tr_scene_free(&scene[1]);
 }
 
-/* Disks whose numbers differ by k are no more than sqrt(6 k) mean distances apart, the bound of Hilbert's curve (|x(s) - x(t)|^2 <=
- * 6 |s - t| in the unit square); 10 more for the disks that a stretch of the curve lacks. Rows of 46 break it, where two
- * follow each other that are 45 apart, and so does any order of quarters that leaps. */
+/* Disks whose numbers differ by k are no more than sqrt(6 k) mean distances apart, the bound of Hilbert's curve (|x(s)
+ * - x(t)|^2 <= 6 |s - t| in the unit square); 10 more for the disks that a stretch of the curve lacks. Rows of 46 break
+ * it, where two follow each other that are 45 apart, and so does any order of quarters that leaps. */
 static void assert_by_place(const tr_world *world, double width, double height) {
     int n = world->disks.n;
     const double *q = world->disks.pos;

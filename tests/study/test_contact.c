@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* kind: contact: the laws along prescribed paths against closed forms written here; what a path does to the bodies; what
- * is refused. */
+/* kind: contact: the laws along prescribed paths against closed forms written here; what a path does to the bodies;
+ * what is refused. */
 #include "assert_close.h"
 #include "laws/law.h"
 #include "study/contact.h"
@@ -274,8 +274,8 @@ static void time_counts_where_it_must(void **state) {
     end(&slow);
 }
 
-/* Overlap in place of force, for each normal law: P and a by the closed forms, linear in the overlap; two laws on one path
- * have forces of their own; a path that opens the contact leaves nothing, and begins anew. */
+/* Overlap in place of force, for each normal law: P and a by the closed forms, linear in the overlap; two laws on one
+ * path have forces of their own; a path that opens the contact leaves nothing, and begins anew. */
 static void overlaps(void **state) {
     (void)state;
     run r = drive("kind: contact\nbodies: {shape: sphere, R1: 10 mm, R2: 30 mm, E: 70 GPa, nu: 0.3}\n"
@@ -325,8 +325,8 @@ static void overlaps(void **state) {
     end(&r);
 }
 
-/* The motion is prescribed: sign laws do not slow down as if they could stop it. Full moment at any speed and step, none
- * at rest; and without the dashpot no law here knows time or inertia. R1 = 10, R2 = 30 mm, P = 1 kN/m. */
+/* The motion is prescribed: sign laws do not slow down as if they could stop it. Full moment at any speed and step,
+ * none at rest; and without the dashpot no law here knows time or inertia. R1 = 10, R2 = 30 mm, P = 1 kN/m. */
 static void sign_laws_at_any_speed(void **state) {
     (void)state;
     static const char *const times[] = {"1e-6", "1", "1e6"};

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Frames beside the solver: with one processor and with all the files are those of a canvas that is drawn on directly, in
- * their order, and ffmpeg gets their pixels in that order; what fails is told, ends the film there, and nothing hangs.
+/* Frames beside the solver: with one processor and with all the files are those of a canvas that is drawn on directly,
+ * in their order, and ffmpeg gets their pixels in that order; what fails is told, ends the film there, and nothing
+ * hangs.
  *
  * In the place of ffmpeg a script that keeps what it is sent. */
 #include "assert_close.h"
@@ -20,7 +21,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* More than the film holds at once. Every other one is a hundred times as much to draw, so that threads finish out of order. */
+/* More than the film holds at once. Every other one is a hundred times as much to draw, so that threads finish out of
+ * order. */
 enum { FRAMES = 10, N_BYTES = 4 * TR_FRAME_WIDTH * TR_FRAME_HEIGHT };
 
 typedef struct fixture {

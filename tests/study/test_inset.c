@@ -77,7 +77,8 @@ static void carter(void **state) {
     }
 }
 
-/* Rolling wears friction off, against four times as many elements that roll by one each step: steps are short enough. */
+/* Rolling wears friction off, against four times as many elements that roll by one each step: steps are short
+ * enough. */
 static void transient(void **state) {
     (void)state;
     pair p;

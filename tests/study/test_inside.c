@@ -78,8 +78,8 @@ static void totals(void **state) {
     }
 }
 
-/* The closed forms along a path, by sliding and by force, against formulas and against the half-plane, whose error at 100
- * elements is below 1e-2 of mu P here (first order in 1/n, 2e-3 at 200). */
+/* The closed forms along a path, by sliding and by force, against formulas and against the half-plane, whose error at
+ * 100 elements is below 1e-2 of mu P here (first order in 1/n, 2e-3 at 200). */
 static void closed_forms(void **state) {
     (void)state;
     drive(&A, "cattaneo", "[{force: 10 kN/m, slide: 0.1 um, steps: 7}, {force: 10 kN/m, slide: 0.3 um, steps: 13}]");

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A run that starts from a packing in a file gives the bytes of a run that compacts its own; the packing is of the seed, sizes,
- * normal law and compaction alone; what is not it is refused. */
+/* A run that starts from a packing in a file gives the bytes of a run that compacts its own; the packing is of the
+ * seed, sizes, normal law and compaction alone; what is not it is refused. */
 #include "assert_close.h"
 #include "base/checkpoint.h"
 #include "laws/law.h"

@@ -133,7 +133,8 @@ static void refuses(void **state) {
     assert_non_null(strstr(st.text, "a.yaml:4:7: error: cannot read nowhere.csv: No such file or directory\n"));
 }
 
-/* Without the dashpot nothing depends on the rate: no times are asked for. The closed forms take no path from a file. */
+/* Without the dashpot nothing depends on the rate: no times are asked for. The closed forms take no path from a
+ * file. */
 static void what_needs_no_times(void **state) {
     (void)state;
     tr_scene s;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* output.path_rows: paths.csv against contacts.csv, against the path of single contacts of the same run, and against where the
- * disks of a periodic cell are. Its replay: the run's own law against the run's Q, the half-plane and the laws against closed forms
- * on made-up paths, the stress against that of the walls or of the cell. */
+/* output.path_rows: paths.csv against contacts.csv, against the path of single contacts of the same run, and against
+ * where the disks of a periodic cell are. Its replay: the run's own law against the run's Q, the half-plane and the
+ * laws against closed forms on made-up paths, the stress against that of the walls or of the cell. */
 #include "assert_close.h"
 #include "laws/law.h"
 #include "study/replay.h"
@@ -50,8 +50,8 @@ static void run_case(const char *text, const char *name) {
 
 /* ---- what is recorded */
 
-/* The last instant of paths.csv is the end of the run, which contacts.csv lists too, from another walk over the contacts:
- * the same pairs, forces, and directions. Tables have 9 digits. */
+/* The last instant of paths.csv is the end of the run, which contacts.csv lists too, from another walk over the
+ * contacts: the same pairs, forces, and directions. Tables have 9 digits. */
 static void last_instant_is_contacts_csv(void **state) {
     (void)state;
     run_case(BIAXIAL(CREEP) "output: {frames: 0, curves: no, path_rows: 12}\n", "all");
@@ -126,9 +126,9 @@ static double median(double *x, int n) {
     return 0.5 * (x[(n - 1) / 2] + x[n / 2]);
 }
 
-/* Increments of contacts.csv, one instant a row of history.csv: slide and roll are those of paths.csv, another sink, at the same
- * instants; the medians over those that were followed are the row's, theirs are all of its contacts. Each number has 9 digits, and a sum may
- * be a small difference, so that single ones are held to the greatest. */
+/* Increments of contacts.csv, one instant a row of history.csv: slide and roll are those of paths.csv, another sink, at
+ * the same instants; the medians over those that were followed are the row's, theirs are all of its contacts. Each
+ * number has 9 digits, and a sum may be a small difference, so that single ones are held to the greatest. */
 static void increments_add_up(const char *boundary, const char *name) {
     static const char *const of_contact[] = {"time_s", "a", "b", "u_slide_m", "u_roll_m", "u_creep_m", "followed"};
     static const char *const of_history[] = {"time_s", "roll_over_slide_median", "creep_over_slide_median"};
@@ -177,13 +177,14 @@ static void increments_of_contacts_csv(void **state) {
     increments_add_up("periodic", "in-a-cell");
 }
 
-/* Where the disks are and how far they have turned is the integral of all that moves them, so the branches, and from row to row
+/* Where the disks are and how far they have turned is the integral of all that moves them, so the branches, and from
+ * row to row
  *
  *   du_slide = -L dbeta + r1 dangle1 + r2 dangle2,   du_roll = -(R1 (dangle1 - dbeta) - R2 (dangle2 - dbeta))/2
  *
- * with beta the direction of the branch, follow from disks.csv, but for the square of what turns within a row. Across an edge
- * of a periodic cell the branch is that to the image, a side further. Rows of both tables are of the same step where the times
- * agree. */
+ * with beta the direction of the branch, follow from disks.csv, but for the square of what turns within a row. Across
+ * an edge of a periodic cell the branch is that to the image, a side further. Rows of both tables are of the same step
+ * where the times agree. */
 static void motion_follows_the_disks_across_edges(void **state) {
     (void)state;
     enum { DISKS = 60, LIVES = 4000 };
@@ -281,8 +282,8 @@ static double own_error(const char *text) {
     return sqrt(sum / n);
 }
 
-/* With a row for every step the replay is the run, but that a weak contact, as it forms or opens, takes some steps from one row to
- * the next. With fewer rows the way within a row is made up. */
+/* With a row for every step the replay is the run, but that a weak contact, as it forms or opens, takes some steps from
+ * one row to the next. With fewer rows the way within a row is made up. */
 static void own_law_reproduces_the_run(void **state) {
     (void)state;
     double every = own_error(SHORT "1000000}\n"), many = own_error(SHORT "400}\n"), some = own_error(SHORT "100}\n"),
@@ -322,7 +323,8 @@ static void sign(const char *run) {
     assert_int_equal(system(command), 0);
 }
 
-/* Life 1 slides, life 2 slides the other way, life 3 rolls 40 a at the creepage xi, life 4 is of a wall, life 5 slides far. */
+/* Life 1 slides, life 2 slides the other way, life 3 rolls 40 a at the creepage xi, life 4 is of a wall, life 5 slides
+ * far. */
 static void closed_forms(void **state) {
     (void)state;
     const double R = R_1 * R_2 / (R_1 + R_2), a = sqrt(4 * P_0 * R / (M_PI * E_STAR)), d = 2 * sqrt(R_1 * R_2) / M_E;
@@ -378,8 +380,8 @@ static void closed_forms(void **state) {
         M_PI * E_STAR /
             (2 * log(2 * (2 * 0.5 * (R_1 + R_2) / M_E) / sqrt(4 * P_0 * 0.25 * (R_1 + R_2) / (M_PI * E_STAR)))),
         1e-9, 0);
-    /* Carter: q = 1 - (1 - xi/F0)^2 in the end. Of Dahlberg's way there exp(-2 (40/Lambda - 1/2)), e^-16, is left; elements of
-     * a/50 are some 0.003 off */
+    /* Carter: q = 1 - (1 - xi/F0)^2 in the end. Of Dahlberg's way there exp(-2 (40/Lambda - 1/2)), e^-16, is left;
+     * elements of a/50 are some 0.003 off */
     int end = 3 * ROWS - 1;
     double q = 0.75;
     assert_close(Q_of(&r, end, TR_REPLAY_EXACT) / (MU * P_0), q, 0, 0.005);
@@ -387,7 +389,8 @@ static void closed_forms(void **state) {
     assert_close(Q_of(&r, end, kuhn) / (MU * P_0), q, 1e-5, 0);
     assert_close(Q_of(&r, end, bed) / (MU * P_0), cattaneo(fmin(SPIN * a * xi, slip * (1 - 1e-12)), Lambda), 1e-6, 0);
     assert_close(r.rolled[end], SPIN, 1e-9, 0);
-    /* far beyond full slip: all take mu P |du|, less the way to it, which is half of slip for a spring of full slip at most */
+    /* far beyond full slip: all take mu P |du|, less the way to it, which is half of slip for a spring of full slip at
+     * most */
     assert_close(r.life[4].work[TR_REPLAY_EXACT] / r.life[4].full, 1, 0.02, 0);
     assert_close(Q_of(&r, 5 * ROWS - 1, TR_REPLAY_EXACT), MU * P_0, 1e-9, 0);
     tr_replay_free(&r);
@@ -419,8 +422,9 @@ static void errors_by_class(void **state) {
     free(t.row), tr_replay_free(&r);
 }
 
-/* sum f_i l_j over the contacts, with those of walls, is wall force times length, but for inertia (I = 1e-3) and for the
- * instants: history.csv has means over the steps between its rows. Means of 100. A cell has the same sum, of all its steps. */
+/* sum f_i l_j over the contacts, with those of walls, is wall force times length, but for inertia (I = 1e-3) and for
+ * the instants: history.csv has means over the steps between its rows. Means of 100. A cell has the same sum, of all
+ * its steps. */
 static void stress_is_that_of_the_boundary(void **state) {
     (void)state;
     static const char *const of_history[] = {"sin_phi", "strain"}, *const of_stress[] = {"sin_phi_run", "strain"};

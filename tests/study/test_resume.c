@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A whole run that is stopped again and again, at known steps in every stage, ends with the bytes of one that is not. The kills at
- * random moments are in system/test_restart.sh. */
+/* A whole run that is stopped again and again, at known steps in every stage, ends with the bytes of one that is not.
+ * The kills at random moments are in system/test_restart.sh. */
 #include "assert_close.h"
 #include "laws/law.h"
 #include "study/run.h"

@@ -161,8 +161,8 @@ static void transient_in_rows_of_any_length(void **state) {
 }
 
 /* A law that creeps in rows of a file: as in 2000 steps of the same path, to 0.003: steps of a/100 are of first order
- * for one of them. As one step, rows of 2 a are off by 0.08, which is to be seen; vu-quoc-zhang is linear here, and right
- * in any step. */
+ * for one of them. As one step, rows of 2 a are off by 0.08, which is to be seen; vu-quoc-zhang is linear here, and
+ * right in any step. */
 static void laws_that_creep_in_rows_of_a_file(void **state) {
     (void)state;
     const double a = width(), xi = -0.25 * MU * a / R_STAR, slide = 1.2 * 2 * MU * P / (M_PI * E_STAR);

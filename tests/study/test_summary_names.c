@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What a summary.json will have is known before the run: of each kind the names that tr_run_check tells are those of the
- * file that a run leaves. */
+/* What a summary.json will have is known before the run: of each kind the names that tr_run_check tells are those of
+ * the file that a run leaves. */
 #include "assert_close.h"
 #include "laws/law.h"
 #include "out/dir.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Sweeps: which points there are and in which order, ranges against their closed forms, names that a file system takes, Student's
- * quantiles against printed tables, closed forms and the integral of the density, means and paired differences by hand, and the
- * whole message of each mistake. */
+/* Sweeps: which points there are and in which order, ranges against their closed forms, names that a file system takes,
+ * Student's quantiles against printed tables, closed forms and the integral of the density, means and paired
+ * differences by hand, and the whole message of each mistake. */
 #include "assert_close.h"
 #include "base/student.h"
 #include "base/version.h"
@@ -164,8 +164,8 @@ static void student(void **state) {
                  {20, 2.086}, {29, 2.045}, {30, 2.042}, {60, 2.000}, {120, 1.980}}; /* as textbooks print it */
     for (size_t i = 0; i < sizeof table / sizeof *table; i++)
         assert_close(tr_student_95(table[i].n), table[i].t, 0, 0.00051); /* half of the last printed digit */
-    /* Cauchy's distribution; and t/sqrt(2 + t^2) of two degrees of freedom. The slope of tan at 0.475 pi is 163: rounding of pi
-     * and of 0.95 by 1e-16 gives 1e-14 */
+    /* Cauchy's distribution; and t/sqrt(2 + t^2) of two degrees of freedom. The slope of tan at 0.475 pi is 163:
+     * rounding of pi and of 0.95 by 1e-16 gives 1e-14 */
     assert_close(tr_student_95(1), tan(0.475 * M_PI), 1e-13, 0);
     assert_close(tr_student_95(2), 0.95 * sqrt(2 / (1 - 0.95 * 0.95)), 1e-13, 0);
     for (int n = 3; n < 40; n++) assert_close(within(tr_student_95(n), n), 0.95, 1e-10, 0); /* Simpson: (t/2000)^4 */
@@ -201,8 +201,8 @@ static void finish(const tr_grid *g, int point, const char *summary) {
     tr_scene_free(&scene);
 }
 
-/* Two values of mu, two of mu_r, three seeds; x = 10 mu_r + seed, and with mu = 0.4: + 1, 2, 4 by seed. So the differences are
- * 1, 2, 4; where seed 2 is missing under mu = 0.5, mu_r = 1, they are 1, 4. */
+/* Two values of mu, two of mu_r, three seeds; x = 10 mu_r + seed, and with mu = 0.4: + 1, 2, 4 by seed. So the
+ * differences are 1, 2, 4; where seed 2 is missing under mu = 0.5, mu_r = 1, they are 1, 4. */
 static void collect(void **state) {
     (void)state;
     tr_grid g = read_ok(HEAD "seeds: 1-3\nvary: {contact.mu: [0.4, 0.5], contact.mu_r: [0, 1]}\n"

@@ -22,7 +22,8 @@ check 'a periodic cell runs' equals $? 0
 # ---- what features cost
 "$TRUNDLE" bench --features --set sample.disks=60 --set shear.strain_end=0.4 -o "$work/features.csv" >"$work/out" 2>"$work/err"
 code=$?
-# A machine may be slow: but the code says what the lines say. With a dear normal law what is left out is a small part, and fails.
+# A machine may be slow: but the code says what the lines say. With a dear normal law what is left out is a small part,
+# and fails.
 claimed() { if grep -q '^FAILED: a bare scene takes' "$1"; then echo 1; else echo 0; fi; }
 check 'the exit code is that of the claims' equals $code "$(claimed "$work/out")"
 "$TRUNDLE" bench --features --set sample.disks=60 --set shear.strain_end=0.05 --set contact.normal=hertz-line >"$work/dear" 2>&1
@@ -45,7 +46,8 @@ check 'few are left out' test "$(grep -cE '^(normal|friction|rolling),' "$work/f
 check 'creep by the rolling of wang is a row' grep -q '^friction,dahlberg-alfredsson (wang),' "$work/features.csv"
 check 'numbers in order: quartiles about the median, above zero' awk -F, \
     'NR > 1 && !($4 > 0 && $4 <= $3 && $3 <= $5 && $6 > 0 && $7 > 0 && $8 > 0 && $9 > 0 && $10 >= 0) {print; bad = 1} END {exit bad}' "$work/features.csv"
-# A block of steps changes a packing little; without friction a shear of its own would have it 16 % above the full one's.
+# A block of steps changes a packing little; without friction a shear of its own would have it 16 % above the full
+# one's.
 check 'the same packing: touching contacts within 5 %' awk -F, '
     FNR == NR {if ($2 == "+ energy ledger") full = $8; next}
     FNR > 1 && ($8 > 1.05*full || $8 < 0.95*full) {print; bad = 1}
@@ -69,8 +71,8 @@ check 'every size up to the largest' equals "$(awk -F, 'NR > 1 {printf "%s ", $1
 check 'quartiles about the median, shares below 1' awk -F, \
     'NR > 1 && !($3 > 0 && $3 <= $2 && $2 <= $4 && $6 > 0 && $6 <= $5 && $5 <= $7 && $12 > 0 && $12 < 1 && $13 > 0) {print; bad = 1}
     END {exit bad}' "$work/sizes.csv"
-# In each cycle; medians may be of two cycles, of different speed while the machine does other things too. So the quartiles overlap, with 10 %
-# for the contacts, which are a mean.
+# In each cycle; medians may be of two cycles, of different speed while the machine does other things too. So the
+# quartiles overlap, with 10 % for the contacts, which are a mean.
 check 'time of a step is that of its contacts' awk -F, \
     'NR > 1 && (0.9*$3/$8*1e3 > $7 || 1.1*$4/$8*1e3 < $6) {print; bad = 1} END {exit bad}' "$work/sizes.csv"
 check 'a line with the slope' grep -qE '^time of a step ~ N\^[0-9.]+ for N = 1000 to 4000$' "$work/out"

@@ -32,8 +32,8 @@ check 'it lies within 0.02: equal within that' equals "$(told 'residual sin φ' 
 check 'but not within that of the void ratio: undecided, which is not equal' equals "$(told 'residual void ratio' 5)" undecided
 collected 3 $t3 0.004 0.01
 check 'it holds 0 and more than 0.02: undecided' equals "$(told 'peak sin φ' 5)" undecided
-# A million trials each, normal differences, two-sided test at 5 %: found in 80 of 100 from 3.26, 0.996 and 0.512 standard deviations on.
-# times the scatter of residuals, 0.0527; three digits are printed.
+# A million trials each, normal differences, two-sided test at 5 %: found in 80 of 100 from 3.26, 0.996 and 0.512
+# standard deviations on. times the scatter of residuals, 0.0527; three digits are printed.
 check 'what 3 seeds can detect' equals "$(told 'residual sin φ' 6)" 0.172
 collected 10 2.262157 0.004 0.01
 check 'and 10' equals "$(told 'residual sin φ' 6)" 0.052

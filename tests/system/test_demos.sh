@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The demonstrations: every number that a case of kind bodies measures is where its closed form says; a number that is not is
-# noticed; scenes side by side do not touch each other.
+# The demonstrations: every number that a case of kind bodies measures is where its closed form says; a number that is
+# not is noticed; scenes side by side do not touch each other.
 set -u
 # shellcheck source=tests/system/tap.sh
 . "$(dirname "$0")/tap.sh"

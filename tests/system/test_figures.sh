@@ -81,9 +81,9 @@ check 'conjugate moments make none' closed_forms definitions 168 "$definition
 check 'rolling laws: at the bound at the end of each way forward' closed_forms rolling-laws 20 'is = -$5
     if ($2 !~ /dashpot/ && $3 > 0.0999999) want = ($2 ~ /prop/ ? 0.001 : 0.0005)*$4'
 
-# Constant creepage x = xi/F0 from rest: z = sqrt(1 - q) of the law solves (1 - z) + al ln((z + al)/(1 + al)) = L/(a Lambda) with
-# al = x - 1, to full slip in one of the four. Steady rolling of the half-plane is Carter's, to first order in the width of an
-# element, a/100: it is 0.0016 off, and half of that for half the width.
+# Constant creepage x = xi/F0 from rest: z = sqrt(1 - q) of the law solves (1 - z) + al ln((z + al)/(1 + al)) = L/(a
+# Lambda) with al = x - 1, to full slip in one of the four. Steady rolling of the half-plane is Carter's, to first order
+# in the width of an element, a/100: it is 0.0016 off, and half of that for half the width.
 creep='x = $2/(0.02*$1); al = x - 1; z = sqrt(1 - $4)'
 check 'fig. 4: the law is its closed form' closed_forms kuhn-fig4 1626 "$creep
     if (\$3 <= (x > 1 ? 1.2274 : 5)) {want = \$3/4; is = 1 - z + al*log((z + al)/(1 + al))}"
@@ -93,8 +93,8 @@ check 'fig. 4: the exact contact ends as Carter says' closed_forms kuhn-fig4 4 "
     if (\$3 == 20) want = x < 1 ? x*(2 - x) : 1" 0.0025
 check 'fig. 4: the law is close to the exact contact' closed_forms kuhn-fig4 8004 'is = $4; want = $5' 0.035
 
-# X = x/a, c = sqrt(1 - q). Less the elements beside the edges of stick, where the slope is infinite. What is left is the
-# width of an element, most at the rim: at -a, Carter's slope is infinite too.
+# X = x/a, c = sqrt(1 - q). Less the elements beside the edges of stick, where the slope is infinite. What is left is
+# the width of an element, most at the rim: at -a, Carter's slope is infinite too.
 zones='X = $4; c = sqrt(0.4); is = $5; p = sqrt(1 - X*X)
     edge = X - 2*c + 1; u = (X + 1 - c)/c; carter = p - (edge < 0 ? c*sqrt(1 - u*u) : 0)
     rim = (X < 0 ? -X : X) - c; cattaneo = p - (rim < 0 ? c*sqrt(1 - X*X/(c*c)) : 0)'
@@ -103,7 +103,8 @@ check 'traction: starts as Cattaneo' closed_forms cattaneo-to-carter 196 "$zones
     if (\$1 == \"traction\" && \$3 == 0 && (rim > 0.01 || rim < -0.01)) want = cattaneo" 0.01
 check 'traction: ends as Carter' closed_forms cattaneo-to-carter 198 "$zones
     if (\$1 == \"traction\" && \$3 == 4 && (edge > 0.01 || edge < -0.01)) want = carter" 0.01
-# Left at 2a: 6, 3 and less than 0.3 %, by an independent program, to its last digit; the width of an element adds 0.5 %.
+# Left at 2a: 6, 3 and less than 0.3 %, by an independent program, to its last digit; the width of an element adds 0.5
+# %.
 check 'distance to Carter at 2a' closed_forms cattaneo-to-carter 3 'is = $5
     if ($1 == "distance" && $3 == 2) want = $2 == 0.3 ? 0.06 : $2 == 0.6 ? 0.03 : 0.002' 0.005
 
@@ -121,10 +122,11 @@ check 'path: cattaneo-mindlin is exact until it rolls' closed_forms exact-path 3
 check 'fig. 2: stick as wide as Cattaneo and Carter say' sh -c '
     awk -F, "NR > 1 && \$6 {n[\$1]++} END {exit !(n[\"pushed\"] >= 125 && n[\"pushed\"] <= 128 && n[\"rolling\"] >= 125 && n[\"rolling\"] <= 128)}" "$1"
 ' sh "$work/kuhn-fig2.csv"
-# 2500 disks on a square grid. Rotations normal and independent: Gini sqrt(2) - 1, percentiles 1.645/0.674, no correlation. Rolling
-# large on the right half: ranks are +-1/2 and as much at random, C(r) = 3/4 (1 - 2 p), where a pair of the square lies on either side
-# with p = <|x| (L - |y|)>/<(L - |x|) (L - |y|)>, a mean over its directions, L = 50. Summed over the grid: 0.727, 0.512 and 9.44.
-# Tolerances: three times the scatter of so few disks, of 125 of which the pairs are counted.
+# 2500 disks on a square grid. Rotations normal and independent: Gini sqrt(2) - 1, percentiles 1.645/0.674, no
+# correlation. Rolling large on the right half: ranks are +-1/2 and as much at random, C(r) = 3/4 (1 - 2 p), where a
+# pair of the square lies on either side with p = <|x| (L - |y|)>/<(L - |x|) (L - |y|)>, a mean over its directions, L =
+# 50. Summed over the grid: 0.727, 0.512 and 9.44. Tolerances: three times the scatter of so few disks, of 125 of which
+# the pairs are counted.
 awk 'BEGIN {
     srand(2); print "time_s,x_m,y_m,angle_rad,radius_m,mean_v_r_m_per_s"
     for (i = 0; i < 2500; i++) {
@@ -142,7 +144,8 @@ check 'bands: correlation of two halves, near' is_near rolling_correlation_1 0.7
 check 'bands: and far' is_near rolling_correlation_10 0.512 0.08
 check 'bands: their length' is_near rolling_length 9.44 1.2
 
-# The film of Kuhn's assemblies. Of a small test in a cell: each contact in two halves that meet, or are a side of the cell apart, and some are.
+# The film of Kuhn's assemblies. Of a small test in a cell: each contact in two halves that meet, or are a side of the
+# cell apart, and some are.
 write_small_case "$work/small.yaml"
 run "$work/small.yaml" -o "$work/small" --set boundary=periodic --set output.rows=3 --set output.contacts=2 --set output.increments=yes \
     --set contact.friction=dahlberg-alfredsson --set 'contact.E_star=200 MPa' --set 'contact.k_t=80 MPa'
@@ -163,8 +166,9 @@ halves_meet() {
         END {print n/2 " contacts of " contacts ", " over " over an edge"; exit bad || n/2 != contacts || !(over > 3) || over > n/4}' "$work/film-002.dat"
 }
 check 'film: the halves of a contact meet, across edges too' halves_meet
-# 400 contacts that slide by s = 1 ... 400, the later half at the bound of friction, roll by s^2, backwards, and creep by 1/s; and those that
-# are left out. Ranks: +-1, but of mobilisation, two values, sqrt(3)/2; f_n goes up and down. Medians: the lower one of the two in the middle.
+# 400 contacts that slide by s = 1 ... 400, the later half at the bound of friction, roll by s^2, backwards, and creep
+# by 1/s; and those that are left out. Ranks: +-1, but of mobilisation, two values, sqrt(3)/2; f_n goes up and down.
+# Medians: the lower one of the two in the middle.
 mkdir -p "$work/made-up"
 awk 'BEGIN {
     print "strain,followed,mobilisation,u_slide_m,u_roll_m,u_creep_m,f_n_N_per_m"

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The demonstrations and their page: what make runs again and what not, that all text arrives as it is and every link leads
-# somewhere, and, where chromium is installed, that the page works in a browser: pictures, films, keys.
+# The demonstrations and their page: what make runs again and what not, that all text arrives as it is and every link
+# leads somewhere, and, where chromium is installed, that the page works in a browser: pictures, films, keys.
 set -u
 # shellcheck source=tests/system/tap.sh
 . "$(dirname "$0")/tap.sh"

@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Ctrl-C: the first stops cleanly, keeps what there is and says so (130); a second one kills. SIGTERM and SIGHUP do the same.
+# Ctrl-C: the first stops cleanly, keeps what there is and says so (130); a second one kills. SIGTERM and SIGHUP do the
+# same.
 set -u
 # shellcheck source=tests/system/tap.sh
 . "$(dirname "$0")/tap.sh"
@@ -101,7 +102,8 @@ check 'code 130' equals "$code" 130
 check 'history.csv has whole lines' whole_lines bodies/history.csv
 check 'an interrupted run is replaced without --force' run_gives 0 bodies.yaml -o bodies
 
-# The first is heeded after 200 steps of the compaction, which take 300000 disks about a second; the second must not wait.
+# The first is heeded after 200 steps of the compaction, which take 300000 disks about a second; the second must not
+# wait.
 # shellcheck disable=SC2086 # a list of options
 start small.yaml -o twice $compacting --set sample.disks=300000
 wait_for test -s twice/case.yaml

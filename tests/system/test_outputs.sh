@@ -79,7 +79,8 @@ check 'a check that has no number fails' equals "$code" 1
 check 'and says that there is none' says still/said 'creepage               wall0-0: never happened, exact 1, allowed 1.0e+00: FAILED'
 check 'its number is null' equals "$(grep -c '"measured": null' still/summary.json)" 2
 check 'no output says nan or inf' is_silent grep -rnwiE -- '-?(nan|inf)' wild still
-# sin phi beyond 1: a stress pulls. Else tan phi = (s1 - s2)/(2 sqrt(s1 s2)), to the nine digits of the stresses over 1 - sin phi
+# sin phi beyond 1: a stress pulls. Else tan phi = (s1 - s2)/(2 sqrt(s1 s2)), to the nine digits of the stresses over 1
+# - sin phi
 angles() {
     awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i; next }
              { s1 = $column["stress_1_Pa"]; s2 = $column["stress_2_Pa"]; phi = $column["sin_phi"]; t = $column["tan_phi"] }

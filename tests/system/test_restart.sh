@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Restart: a test that was stopped at any moment, in any way, ends with the bytes of one that was not; what is no checkpoint of
-# it is refused with the reason. timing in summary.json alone may differ.
+# Restart: a test that was stopped at any moment, in any way, ends with the bytes of one that was not; what is no
+# checkpoint of it is refused with the reason. timing in summary.json alone may differ.
 set -u
 # shellcheck source=tests/system/tap.sh
 . "$(dirname "$0")/tap.sh"
@@ -9,7 +9,8 @@ cd "$work" || exit 1
 write_small_case small.yaml
 write_bodies_case bodies.yaml
 periodic='--set boundary=periodic --set shear.hold=mean'
-# All that a test can leave: frames with an inset, film, curves, lists of contacts, paths, for one of which it runs twice.
+# All that a test can leave: frames with an inset, film, curves, lists of contacts, paths, for one of which it runs
+# twice.
 cat >full.yaml <<'CASE'
 kind: biaxial
 seed: 3

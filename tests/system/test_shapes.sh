@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Spheres, and Hertz contacts of disks, from the case to the tables: units of columns and keys, and results that make sense.
+# Spheres, and Hertz contacts of disks, from the case to the tables: units of columns and keys, and results that make
+# sense.
 set -u
 # shellcheck source=tests/system/tap.sh
 . "$(dirname "$0")/tap.sh"
@@ -32,7 +33,8 @@ for shape in sphere disk; do check "a biaxial test of ${shape}s runs" run_gives 
 check 'a contact of spheres runs' run_gives 0 contact.yaml -o contact
 check 'its report has their units' says stdout 'Q = 2 N, moment_1 = 0.0005 N m' # 1 MN/m * 2 um; 0.01 * 10 N * 5 mm
 
-# Of disks a column ends in _N_per_m (forces), _N (moments), _Pa (stresses), _J_per_m; of spheres in _N, _N_m, _N_per_m, _J.
+# Of disks a column ends in _N_per_m (forces), _N (moments), _Pa (stresses), _J_per_m; of spheres in _N, _N_m, _N_per_m,
+# _J.
 names() { head -n 1 "$1" | tr , '\n'; }
 of_spheres() { sed 's/^moment_\(.*\)_N$/moment_\1_N_m/; s/_N_per_m$/_N/; s/_Pa$/_N_per_m/; s/_\(J\|kg\)_per_m$/_\1/'; }
 for table in history contacts; do
@@ -56,8 +58,9 @@ else
     for what in 'its curves have their units' 'and are drawn'; do skip "$what" 'no gnuplot'; done
 fi
 
-# Means over the rows of history.csv, energies and void ratio of the last: of so few disks one instant may have few contacts. 2.5 < coordination < 4.5: isostatic is 3 (friction) to 4; void ratio: loose to
-# denser than 400 mono-sized disks; the lateral pressure is held; the energy residual is below 2e-3 of the work.
+# Means over the rows of history.csv, energies and void ratio of the last: of so few disks one instant may have few
+# contacts. 2.5 < coordination < 4.5: isostatic is 3 (friction) to 4; void ratio: loose to denser than 400 mono-sized
+# disks; the lateral pressure is held; the energy residual is below 2e-3 of the work.
 sensible() { # DIR PRESSURE
     awk -F, -v p="$2" 'NR == 1 { for (i = 1; i <= NF; i++) { sub(/_(Pa|N_per_m|J|J_per_m)$/, "", $i); at[$i] = i }; next }
         { s1 += $at["stress_1"]; s2 += $at["stress_2"]; n++; work = $at["work"]; residual = $at["residual"]

@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Contacts that are pressed too deep: the message names the key of the normal law and a value, and with that value the run holds.
+# Contacts that are pressed too deep: the message names the key of the normal law and a value, and with that value the
+# run holds.
 set -u
 # shellcheck source=tests/system/tap.sh
 . "$(dirname "$0")/tap.sh"

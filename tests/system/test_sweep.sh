@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# trundle sweep: every point is what trundle run gives; killed at any moment and started again it ends with the same bytes; a point
-# that fails does not stop the others; one at a time, two at once, by number, and as the job array of a cluster give the same.
+# trundle sweep: every point is what trundle run gives; killed at any moment and started again it ends with the same
+# bytes; a point that fails does not stop the others; one at a time, two at once, by number, and as the job array of a
+# cluster give the same.
 set -u
 # shellcheck source=tests/system/tap.sh
 . "$(dirname "$0")/tap.sh"

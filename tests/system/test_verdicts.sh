@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# figures/wang/verdicts.awk, and figures/kuhn/tables.awk, on numbers made up so that the answers are known: means, Student's intervals, verdicts, seeds to decide.
+# figures/wang/verdicts.awk, and figures/kuhn/tables.awk, on numbers made up so that the answers are known: means,
+# Student's intervals, verdicts, seeds to decide.
 set -u
 # shellcheck source=tests/system/tap.sh
 . "$(dirname "$0")/tap.sh"
@@ -9,8 +10,8 @@ check 'the sweep of the figures: 12 coefficients, 4 models, 32 seeds' \
     equals "$("$TRUNDLE" sweep "$here/strength.yaml" --list | wc -l)" 1536
 cd "$work" || exit 1
 
-# Five seeds, s = 1 ... 5. All of wang has sin phi 0.4 + s/100 and e = 0.3. Others differ by D, and by D + W (s - 3) at mu_r < 0.2, so that
-# the interval there is D +- 2.776445 W sqrt(2.5/5).
+# Five seeds, s = 1 ... 5. All of wang has sin phi 0.4 + s/100 and e = 0.3. Others differ by D, and by D + W (s - 3) at
+# mu_r < 0.2, so that the interval there is D +- 2.776445 W sqrt(2.5/5).
 points() { # D W E: points.csv, where void ratios of others are E times those of wang
     echo 'contact.mu_r,contact.rolling_velocity,seed,sin_phi_residual,sin_phi_peak,e0,e_residual,opposed_fraction_residual'
     awk -v d="$1" -v w="$2" -v e="$3" 'BEGIN {

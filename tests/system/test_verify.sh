@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# trundle verify: all numbers of the default group are right, each verification has one, the table can be read back, exit codes.
-# What makes a number wrong, and the table then, is tested in tests/verify/.
+# trundle verify: all numbers of the default group are right, each verification has one, the table can be read back,
+# exit codes. What makes a number wrong, and the table then, is tested in tests/verify/.
 set -u
 # shellcheck source=tests/system/tap.sh
 . "$(dirname "$0")/tap.sh"
