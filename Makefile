@@ -272,7 +272,7 @@ $(BUILD)/%.c.o: %.c $(BUILD)/flags
 $(BUILD)/%.cpp.o: %.cpp $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(call step,CXX) $(CXX) $(CXX_FLAGS) -c -o $@ $<
-# Other compiler flags, and all objects are made anew.
+# Other compiler flags: all objects are compiled again.
 FLAGS_NOW := $(strip $(CC) $(C_FLAGS) $(CXX) $(CXX_FLAGS))
 $(BUILD)/flags:
 	@mkdir -p $(@D)
@@ -280,7 +280,7 @@ $(BUILD)/flags:
 ifneq ($(FLAGS_NOW),$(file <$(BUILD)/flags))
 .PHONY: $(BUILD)/flags
 endif
-# Another commit, and this one object is made anew.
+# Another commit: only this object is compiled again.
 $(BUILD)/src/base/commit.c.o: $(BUILD)/commit
 $(BUILD)/src/base/commit.c.o: C_FLAGS += -DTR_COMMIT='"$(COMMIT)"'
 $(BUILD)/commit:
@@ -330,7 +330,7 @@ $(BUILD)/tests/fuzz/replay_%: $(BUILD)/tests/fuzz/fuzz_%.c.o $(BUILD)/tests/fuzz
 	$(call step,LINK) $(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
 $(BUILD)/fuzz_%: $(BUILD)/tests/fuzz/fuzz_%.c.o $(BUILD)/libtrundle.a
 	$(call step,LINK) $(CXX) $(CFLAGS) -fsanitize=fuzzer $(LDFLAGS) -o $@ $^ $(LIBS)
-# Threads alone, and the sharing of few and many disks by 2 and 3 of them; then whole runs.
+# Only threads, then few and many disks with 2 and 3 of them, then whole runs.
 TSAN := $(BUILD)/tests/base/test_threads_run $(BUILD)/tests/core/test_threads
 run-tsan: $(BUILD)/trundle $(TSAN)
 	@for test in $(TSAN); do $$test || exit 1; done

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Do rotations gather in bands? From the last instant of a disks.csv, for |rotation| and for the mean |V_r|: Gini
-# coefficient and 90th over 50th percentile, of the values alone, wherever they are; and the correlation length, of
+# coefficient and 90th over 50th percentile, of the values only, at any place; and the correlation length, of
 # where they are.
 #
 # For rotations that are normal and independent: Gini sqrt(2) - 1 = 0.414, percentiles 1.645/0.674 = 2.44, length 0.

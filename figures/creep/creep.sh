@@ -6,8 +6,8 @@
 #
 #     figures/creep/creep.sh TRUNDLE DIR [SEEDS [CASE]]
 #
-# SEEDS: 24 by default, at least 2. CASE: cases/biaxial-creep.yaml by default. Goes on with what is there. The rule of
-# the verdicts is in effects.awk, and was written before the runs.
+# SEEDS: 24 by default, at least 2. CASE: cases/biaxial-creep.yaml by default. Continues with the finished runs. The
+# rule of the verdicts is in effects.awk, and was written before the runs.
 set -eu
 export LC_ALL=C
 trundle=$1 out=$2 seeds=${3:-24}

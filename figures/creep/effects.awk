@@ -12,9 +12,9 @@
 #                     with few samples to matter: half of what one sample differs from the next, or less
 #   undecided         neither. It is not "no effect"
 # Both of the first two may hold: `raises, within M`. The interval is Student's of the differences, of 99.79 % = 1 -
-# 0.05/24: by Bonferroni, all 24 hold together with 95 %. That of 95 % for the difference alone is in the table too, and
-# decides nothing. The rows `together` (both less each alone) are what one changes in the effect of the other; they have
-# an interval and no verdict.
+# 0.05/24: by Bonferroni, all 24 hold together with 95 %. The table also has the 95 % interval of each single
+# difference, which decides nothing. The rows `together` (both less each one only) show how one changes the effect of
+# the other; they have an interval and no verdict.
 BEGIN {
     FS = OFS = ","
     tests = 24

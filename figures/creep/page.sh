@@ -88,7 +88,7 @@ $(verdicts "Kuhn's rolling less Wang's" "What Kuhn's rolling in the creep change
 <h2>How to read the verdicts</h2>
 <p>“raises” or “lowers”: the interval leaves out 0. “within”: the whole interval lies in the grey band; a change is too small to matter in a test with few samples.
 “undecided”: the interval leaves out neither 0 nor a change that matters. That is <b>not</b> “no effect”. The wider interval decides (thin line in the picture): it is
-such that all 24 verdicts hold together in 95 of 100 repetitions of the study (Bonferroni). The narrow one (thick line) is the 95 % interval of one difference alone.
+such that all 24 verdicts hold together in 95 of 100 repetitions of the study (Bonferroni). The narrow one (thick line) is the 95 % interval of a single difference.
 The rule was written before the runs: <code>figures/creep/effects.awk</code>.</p>
 <p>All numbers hold for this case: <code>cases/biaxial-creep.yaml</code>, I = $(fact inertial_number), κ = k_n/pressure = $(fact stiffness_ratio | sed 's/\.0$//'), 20 % strain. The residual is the mean over 15 to 20 %
 strain. The dilatancy is the void ratio there less that at the start. The rolling share is Σ|V_r| / Σ(|V_r| + |V_s|) there, by Wang.</p>

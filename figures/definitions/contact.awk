@@ -24,7 +24,7 @@ NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
     hand[i] += k_r*(A*s1/R1 - B*s2/R2) # dth1 = s1/R1, dth2 = -s2/R2
     if (hand[i] > bound) hand[i] = bound
     if (hand[i] < -bound) hand[i] = -bound
-    if (!known) hand[i] = "" # not worked out here: T stands alone
+    if (!known) hand[i] = "" # not worked out here: only T
     if (known && (T - hand[i])^2 > (1e-9*bound)^2) bad = 1 # a sum of 200 steps, rounded
     print step, segment, name[i + 1], T, $at["moment_1_N"], $at["moment_2_N"], (known ? -A*T : ""), (known ? -B*T : "") >rows
     if (segment > segments) segments = segment

@@ -5,7 +5,7 @@
 #
 #     figures/definitions/definitions.sh TRUNDLE DIR [SEEDS [CASE]]
 #
-# SEEDS: 3 by default. CASE: the biaxial test, cases/biaxial.yaml by default. DIR is made anew but for runs that are
+# SEEDS: 3 by default. CASE: the biaxial test, cases/biaxial.yaml by default. DIR is made again, except runs that are
 # there.
 set -eu
 export LC_ALL=C

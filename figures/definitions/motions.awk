@@ -14,7 +14,7 @@ NR > 1 {
     want = closed($1, $2, $3)
     if ($3 == 10) at_ten[$1, $2] = $4
     count[$1, $2]++
-    if (want == "") next # a definition that is not worked out here: its numbers stand alone
+    if (want == "") next # a definition that is not worked out here: only its numbers
     if (!(($1, $2) in worst) || (off = $4 > want ? $4 - want : want - $4) > worst[$1, $2]) worst[$1, $2] = off + 0
 }
 function closed(what, of, r,   mean) {

@@ -37,7 +37,7 @@ $(picture motions.png 'Rolling velocity of two pure motions, and energy made in 
 V_r = A ω1 + B ω2 + C V_t they are −A T and −B T, with a force −C T along the contact. Energy is over k_r R_eff Δu Δθ1 in the first cycle and over
 k_r R1 Δθ1 u in the second.</p>
 $(table energy.csv 'Energy made in a closed cycle')
-<p>So a definition and its source of energy are two things. The paper's moments fit wang alone. In these two cycles conjugate moments make no
+<p>So a definition and its source of energy are two things. The paper's moments fit only wang. In these two cycles conjugate moments make no
 energy for any of them. The law conjugate-spring has these moments for any definition. The rows “with conjugate moments” use the T of
 wang-spring and the moments above. For alonso, V_r is not the rate of a length: after other closed cycles its spring may stay stretched.</p>
 </section>
@@ -63,7 +63,7 @@ $(detectable 'residual sin φ') in the residual, $(detectable 'residual void rat
 the picture). Of nine such intervals one in twenty misses the truth, so a lone “differs” is weak: about four in ten pages show at least one where
 none is, if all nine were independent. $(
     awk -F, '/energy made/ && $2 != "wang" && $3 + 0 > 0.01 {n++} END {
-        if (n) print "The runs of " n " definitions make energy (above 1 % of the work of the walls), so their strength is not that of rolling resistance alone."
+        if (n) print "The runs of " n " definitions make energy (above 1 % of the work of the walls), so their strength is not due to rolling resistance only."
     }' "$out/strength.csv")</p>
 <p>More samples: <code>make wang</code> takes 32 and twelve values of μ_r, in 20 minutes.</p>
 </section>

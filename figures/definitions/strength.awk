@@ -3,7 +3,7 @@
 # tell. Rule, written before the runs: `differs` where the 95 % interval of the difference (Student, seed by seed)
 # leaves out 0; `equal within` the margin where it lies inside of it; else `undecided`. Undecided is not equal.
 # The detectable difference is the least that n seeds call `differs` in 80 of 100 trials, if differences scatter as
-# those of 32 other samples of this test (seeds 101 to 132) do: standard deviations below. Three seeds alone know their
+# those of 32 other samples of this test (seeds 101 to 132) do: standard deviations below. Three seeds know their
 # scatter only to a factor of 0.5 to 6.
 BEGIN {
     FS = OFS = ","

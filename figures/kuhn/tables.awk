@@ -31,7 +31,7 @@ FNR == 2 {
 }
 function block(run, name, b) { return sum[run, name, b]/count[run, name, b] }
 function of(run, name) { return at_23[run, name] ? mean_23[run, name]/at_23[run, name] : "" }
-# how: "-" or "/" of two runs, "" of p alone
+# how: "-" or "/" of two runs, "" only of p
 function judge(claim, p, q, name, how, from, to,   b, n, last, d, total, squares, mean, half, verdict) {
     if (!(p in known) || (how != "" && !(q in known))) return
     last = blocks[p]
@@ -57,7 +57,7 @@ END {
     table = "run,e0,contacts_per_particle_0,coordination_0,a_over_R_0,mean_stress_scatter"
     for (i = 1; i <= n_columns; i++) table = table "," wanted[i]
     print table >tables
-    close(tables) # before sort goes on with it
+    close(tables) # before sort continues with it
     for (run in known) {
         m = s1[run]/sn[run]
         table = run "," e0[run] "," z0[run]/2 "," z0[run] "," a0[run] "," sprintf("%.3f", sqrt(s2[run]/sn[run] - m*m)/m)

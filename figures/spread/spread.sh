@@ -4,7 +4,7 @@
 #
 #     figures/spread/spread.sh TRUNDLE DIR
 #
-# Measures the rows of src/study/spread.c anew and prints them (DIR/rows.csv, DIR/step.csv, DIR/rows.c); then tests, by
+# Measures the rows of src/study/spread.c again and prints them (DIR/rows.csv, DIR/step.csv, DIR/rows.c); then tests, by
 # the rule of rule.awk, whether the interval about each of 200 fresh samples covers the mean (DIR/coverage.csv). Exit
 # code 1: it does not. Started again it does what is missing. Some 25 minutes of a processor.
 set -eu

@@ -33,7 +33,7 @@ plot worst(x) with lines linewidth 3 linecolor rgb '#000000' title '(f + √(f²
 unset logscale y
 set tmargin at screen 0.33
 set bmargin at screen 0.095
-set title 'What trundle takes for the limit, from each contact alone'
+set title 'The limit that trundle takes, from single contacts'
 set format x '%g'
 set xlabel 'dt / exact limit of the network (eigenvalues)' offset 0,0.4
 set ylabel 'networks' offset 1

@@ -5,7 +5,7 @@
 #     figures/wang/wang.sh TRUNDLE DIR [SEEDS]
 #
 # Started again it does what is missing; more seeds go on from fewer. SEEDS: 32 by default, half of it where one thing
-# after the other is changed. With fewer than 16 there are the figures of the paper and the verdicts alone: 3 take a
+# after the other is changed. With fewer than 16 only the figures of the paper and the verdicts are made: 3 take a
 # minute, and decide little.
 set -eu
 export LC_ALL=C

@@ -79,7 +79,7 @@ static bool fill(table *t, const tr_bench_arguments *a, tr_status *st) {
     if (!friction->step || !rolling->step)
         return tr_status_fail(st, TR_BAD_CASE, "error: --features needs a case with friction and rolling resistance");
     char name[3][64];
-    snprintf(name[0], sizeof *name, "%s alone", tr_laws_normal[c->normal.law]->table.name);
+    snprintf(name[0], sizeof *name, "%s only", tr_laws_normal[c->normal.law]->table.name);
     snprintf(name[1], sizeof *name, "+ %s", friction->table.name);
     snprintf(name[2], sizeof *name, "+ %s", rolling->table.name);
     if (!add(t, a, "feature", name[0], set, 2, st) || !add(t, a, "feature", name[1], set, 1, st) ||

@@ -14,8 +14,8 @@ void tr_bodies_free(tr_bodies *b);
 
 /* tr_step_advance with the motions that a scene prescribes over time: centres on orbits, gravity that turns. A centre
  * on an orbit goes along the chord of the step to its place, to rounding at any time. Then its velocity is set to that
- * of the new instant, half a step ahead of the free disks': two orbits that turn as one body at the rate W neither
- * slide nor approach then, where by the chords V_s = |X21| W (W dt)^2/6 and v_n = |X21| W (W dt)/2. */
+ * of the new instant, half a step ahead of the free disks': two orbits that turn as one body at the rate W then do not
+ * slide and do not approach; with the chords V_s = |X21| W (W dt)^2/6 and v_n = |X21| W (W dt)/2. */
 void tr_bodies_advance(tr_bodies *b);
 
 #endif

@@ -12,7 +12,7 @@
  *   through
  *              the spins, and g that of their dashpots
  *
- * Dashpots alone: dt < 2/g. If the tangential modes of w2 and of g differ, their sum is cautious: for one contact 0.618
+ * Only dashpots: dt < 2/g. If the tangential modes of w2 and of g differ, their sum is cautious: for one contact 0.618
  * of the exact bound or more.
  *
  * Stability here means a symmetric K. Friction of a sliding contact follows its normal force, so K is not symmetric:

@@ -20,9 +20,9 @@
  *
  * SWITCHING. For alonso-* p1 and p2 jump when the case changes. The step does work by the mean of the forces at its
  * two ends, (T p + T' p')/2, so T is stretched by the mean of the old and the new case: a switch then takes
- * k_r dt^2 (b^2 - a^2)/8, where a and b are the velocities by the old and the new case. With the new case alone it
- * would take T (a - b) dt/2, and the sum of that does not fall with dt. If T = 0, only the new case counts. The bound
- * on the step is the smallest of all cases; it holds within a case and does not cover switching.
+ * k_r dt^2 (b^2 - a^2)/8, where a and b are the velocities by the old and the new case. With only the new case it would
+ * take T (a - b) dt/2, and the sum of that does not fall with dt. If T = 0, only the new case counts. The bound on the
+ * step is the smallest of all cases; it holds within a case and does not cover switching.
  *
  * History: T [N/m], p1, p2. Wall (R1 -> infinity): g1 = 1, R_eff = R2, f_r = p1 T. v -> 0: a spring, the case as it is.
  */

@@ -9,7 +9,7 @@
 struct tr_brush {
     tr_patch_pair pair;
     tr_patch_state s;
-    double given_k, k;   /* k_w as given; of now */
+    double given_k, k;   /* k_w as given; at present */
     double *w, *carried; /* deflection [m]: w_n(x_i), w_{n-1}(x_i - dr) */
     double *share;       /* of the step that the material now at x_i was in contact */
 };

@@ -4,8 +4,8 @@
  *
  * Rolling: in pieces of an element h = 2a/n, the first one shorter. Loading: where the contact also slides or rolls, P
  * goes in stairs. On each a changes by no more than an element of the wider end, and then stays. So does a prescribed Q
- * while the contact rolls, by no more than 2/n of mu P. Sliding alone and loading alone need no cut: the direction of
- * slip does not change within the row.
+ * while the contact rolls, by no more than 2/n of mu P. Sliding without loading and loading without sliding need no
+ * cut: the direction of slip does not change within the row.
  *
  * Long rolling. On a stair all rates are constant, and the contact tends to a steady state: the rest falls at least as
  * fast as exp(-L/(Lambda a)) over the roll L. When a piece changes no traction by more than 2e-2/(n^2 Lambda) of mu p0,

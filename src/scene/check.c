@@ -107,7 +107,7 @@ static bool check_laws(const checker *c, const tr_scope *s, const void *base) {
         const tr_scene_law *law = (const void *)((const char *)base + slot.offset);
         const tr_param_table *table = slot.laws[law->law];
         if (!check_law(c, s, slot.key, table)) return false;
-        bool driven = c->scene->kind == TR_KIND_CONTACT && k > 0; /* its normal force is elastic alone */
+        bool driven = c->scene->kind == TR_KIND_CONTACT && k > 0; /* its normal force is only elastic */
         if (driven && !check_demands(c, s, slot.key, table, law->par)) return false;
     }
     return c->scene->kind != TR_KIND_CONTACT || check_law_depth(c, s);

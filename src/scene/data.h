@@ -101,7 +101,7 @@ typedef enum tr_output_view { TR_VIEW_CLASS, TR_VIEW_EXPERT } tr_output_view;
 
 /* What the frames of bodies draw over time, in the order of the choices of `curve:`. */
 typedef enum tr_curve {
-    TR_CURVE_NONE,       /* bars alone */
+    TR_CURVE_NONE,       /* only bars */
     TR_CURVE_SPEED,      /* of disk 0 */
     TR_CURVE_VELOCITIES, /* V_s and V_r of the first contact */
     TR_CURVE_CREEPAGE,   /* of the first contact */

@@ -2,7 +2,7 @@
 /* muParser does the arithmetic, nothing else: this file decides what an expression is. It turns the text into one in
  * which every number and name is a variable v0, v1, ..., so no name can meet a built-in of muParser.
  *
- * Dimensions are checked by arithmetic alone: a result in kg^a m^b s^c is multiplied by 4^a when the unit of mass is
+ * Dimensions are checked by arithmetic: a result in kg^a m^b s^c is multiplied by 4^a when the unit of mass is
  * made four times smaller, and so on. Powers of four stay exact through + - * / and sqrt. */
 #include "scene/expression.h"
 #include "base/math.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Built while streaming, so that the limits on depth and width also bound time and memory: libyaml alone needs 20 s for
- * 100,000 opening brackets. */
+/* Built while streaming, so that the limits on depth and width also bound time and memory: libyaml itself needs 20 s
+ * for 100,000 opening brackets. */
 #include "scene/tree.h"
 #include "base/alloc.h"
 

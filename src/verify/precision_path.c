@@ -51,7 +51,7 @@ typedef struct bench {
 /* ---- the laws */
 
 static bool drive(const bench *b, int law, int steps, double *Q_at, double *seconds, tr_status *st) {
-    tr_scene scene = b->scene; /* its arrays are shared; steps are set anew for every run */
+    tr_scene scene = b->scene; /* its arrays are shared; steps are set again for every run */
     for (int g = 0; g < SEGMENTS; g++) scene.path[g].steps = steps;
     scene.laws += law, scene.n_laws = 1;
     tr_contact *c = tr_contact_new(&scene, st);

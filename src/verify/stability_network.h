@@ -17,7 +17,7 @@
  * SLIDING. Disks turn at constant spins and the floor runs along itself, so that shape and forces stay: a contact
  * sticks if the rims run equally, and slides otherwise; so does its rolling spring. One that slides has Q = mu f_n and
  * no spring of its own: the force goes along g - mu sgn(V_s) s - mu_r sgn(V_r) r, with g, s, r the maps of the motion
- * to the gap, to sliding and to rolling, and changes by the gap alone. So K and C are not symmetric, there is no
+ * to the gap, to sliding and to rolling, and changes only with the gap. So K and C are not symmetric, there is no
  * Cholesky, and the exact equations may grow (stability_sliding.c). */
 #ifndef TR_VERIFY_STABILITY_NETWORK_H
 #define TR_VERIFY_STABILITY_NETWORK_H

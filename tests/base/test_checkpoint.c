@@ -94,7 +94,7 @@ static void must_save(int64_t steps) {
     if (!save(steps, &st)) fail_msg("%s", st.text);
 }
 
-/* The state that is there; -1: none, or it is refused. */
+/* The present state; -1: none, or it is refused. */
 static int64_t load(const char *text, tr_status *instead, tr_status *st) {
     tr_checkpoint c;
     body b = {.steps = -1};

@@ -202,7 +202,7 @@ static void test_histories_follow_their_pair(void **state) {
         assert_true(i >= 0 && j >= 0);
         places[0] += i != last[0], last[0] = i;
         places[1] += j != last[1], last[1] = j;
-        /* By hand: the definitions, with n and t of now. The first call moves no history. */
+        /* By hand: the definitions, with the present n and t. The first call moves no history. */
         const double *p = pos + 8, *q = pos + 28;
         double dx = q[0] - p[0], dy = q[1] - p[1], L = hypot(dx, dy), Vt = -0.01 * dx / L;
         double Vs = L * (2.0 / 3 * 0.3 - 1.0 / 3 * 0.1) + Vt, s1 = 0.02 * (0.3 + Vt / L), s2 = -0.01 * (-0.1 + Vt / L);

@@ -204,8 +204,8 @@ static void every_definition_has_the_forces_of_its_slopes(void **state) {
 
 /* The rims run forward and back within a second; backward their speeds jitter from step to step, so that the case
  * changes all the time. What the bodies lose less what is in the spring is, by the law, sum k_r dt^2 (b^2 - a^2)/8
- * over the steps, a and b the velocities by the case before and of now, no more than the faster rim runs. With the
- * case of now alone it would be sum T (a - b) dt/2, which does not fall with dt. */
+ * over the steps, a and b the velocities by the old and the present case, no more than the faster rim runs. With only
+ * the present case it would be sum T (a - b) dt/2, which does not fall with dt. */
 static double made_in_a_cycle(int definition, int steps, double *allowed) {
     tr_random r = tr_random_seed(7, 1);
     single p = {.R1 = 1, .R2 = 3, .nx = 0.6, .ny = 0.8, .L = 3.95, .f_n = 1e9};

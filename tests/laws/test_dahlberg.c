@@ -124,7 +124,7 @@ static void test_carter_is_the_steady_state(void **state) {
         }
 }
 
-/* By hand: Q above the cap of now enters uncut. q_n = 1.5, A = -0.6, no rolling: 0.9, not 0.4. With rolling: the root
+/* By hand: Q above the present cap enters uncut. q_n = 1.5, A = -0.6, no rolling: 0.9, not 0.4. With rolling: the root
  * of q = 0.9 - B (1 - sqrt(1 - q)). */
 static void test_one_step_by_hand(void **state) {
     (void)state;

@@ -166,7 +166,7 @@ static void test_path(void **state) {
     }
 }
 
-/* Backward Euler on the same path. The legs where P falls are in it: Q above the cap of now, and slid back. */
+/* Backward Euler on the same path. The legs where P falls are in it: Q above the present cap, and slid back. */
 static void test_backward_euler(void **state) {
     (void)state;
     double want[LEGS], q[LEGS], h[5], error[5];

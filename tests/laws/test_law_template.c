@@ -70,7 +70,8 @@ static void one_step_is_the_formula(void **state) {
         assert_close(run(&A, f, 2, dt), K_R * 2 * dt + c * 2, ROUND, 0);                     /* below the bound */
         assert_close(run(&A, f, -1, dt), K_R * 1 * dt - c * 1, ROUND, ROUND * K_R * 2 * dt); /* back */
         assert_close(run(&A, f, 1e5, dt), bound, ROUND, 0); /* both at the bound */
-        assert_close(run(&A, f, -1, 0), bound - c, ROUND, 0); /* dt = 0: the spring stays, the dashpot is that of now */
+        assert_close(run(&A, f, -1, 0), bound - c, ROUND, 0); /* dt = 0: the spring stays, the dashpot has the present
+                                                               * velocity */
         assert_close(run(&A, f / 2, 0, 0), bound / 2, ROUND, 0); /* a lower f_n cuts the spring */
         assert_close(run(&A, f, 0, 0), bound / 2, ROUND, 0);     /* for good */
         assert_true(run(&A, 0, 3, dt) == 0 && A.hist[0] == 0);   /* apart: nothing is left */

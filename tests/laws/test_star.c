@@ -206,7 +206,7 @@ static void test_swing(void **state) {
     }
 }
 
-/* The bound on the step knows the spring at the overlap of now, here a large one, and its dashpot. */
+/* The bound on the step uses the spring at the present overlap, here a large one, and its dashpot. */
 static void test_bound_on_the_step(void **state) {
     (void)state;
     for (int damping = 0; damping < 2; damping++) {

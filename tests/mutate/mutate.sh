@@ -108,7 +108,7 @@ while IFS=$tab read -r file text becomes watchers; do
     1) echo "UNSEEN  $what" && unseen=$((unseen + 1)) ;;
     *) echo "ERROR   $what" && grep -m 1 'error:' "$work/make" && bad=1 ;;
     esac
-    cp "$work/kept" "$file" # its time is of now: what was built of the changed one is built anew
+    cp "$work/kept" "$file" # its time is new: objects of the changed file are built again
 done <"$work/lines"
 echo "$((total - unseen)) of $total changes are seen"
 [ "$bad" -eq 0 ] || exit 2

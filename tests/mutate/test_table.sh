@@ -17,7 +17,7 @@ spoiled() {
     equals $? 2 && says "$work/complaint" "$1"
 }
 check 'noticed: a text that is not there' spoiled 'is not there once' 'src/core/step.c\tno such text\tx\t=servo'
-check 'noticed: a text that is there twice' spoiled 'is not there once' 'src/core/step.c\treturn\tx\t=servo'
+check 'noticed: a text that occurs twice' spoiled 'is not there once' 'src/core/step.c\treturn\tx\t=servo'
 check 'noticed: a change that changes nothing' spoiled 'does not change' 'src/core/step.c\tvel[k] += \tvel[k] += \t=servo'
 check 'noticed: an unknown verification' spoiled 'no verification' 'src/core/step.c\tvel[k] += \tx\t=nothing'
 check 'noticed: an unknown test' spoiled 'no tests/' 'src/core/step.c\tvel[k] += \tx\tcore/test_nothing'

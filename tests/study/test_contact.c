@@ -275,7 +275,7 @@ static void time_counts_where_it_must(void **state) {
 }
 
 /* Overlap in place of force, for each normal law: P and a by the closed forms, linear in the overlap; two laws on one
- * path have forces of their own; a path that opens the contact leaves nothing, and begins anew. */
+ * path have forces of their own; a path that opens the contact leaves nothing, and starts again. */
 static void overlaps(void **state) {
     (void)state;
     run r = drive("kind: contact\nbodies: {shape: sphere, R1: 10 mm, R2: 30 mm, E: 70 GPa, nu: 0.3}\n"

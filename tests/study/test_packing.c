@@ -114,7 +114,7 @@ static void test_friction_goes_through_the_file(void **state) {
     friction_goes_through("boundary=periodic");
 }
 
-/* A packing with friction of before there were histories in the file: that its text says version 1 is all
+/* A packing with friction from before the file had histories: that its text says version 1 is all
  * that counts. */
 static void test_an_old_packing_with_friction(void **state) {
     (void)state;

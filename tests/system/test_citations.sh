@@ -22,7 +22,7 @@ twice() { entries | uniq -d; }
 
 check 'every citation has an entry' is_silent only_in_first cited entries
 check 'every entry is cited' is_silent only_in_first entries cited
-check 'no entry is there twice' is_silent twice
+check 'no entry occurs twice' is_silent twice
 some() { [ "$(cited | wc -l)" -ge 3 ]; }
 check 'there are citations' some
 [ $# -eq 1 ] && finish
@@ -41,5 +41,5 @@ broken() {
 check 'noticed: a citation of nothing' broken 'every citation has an entry' core/step.c '/* [Nobody1999 eq. 3] */'
 check 'noticed: the second of two' broken 'every citation has an entry' core/step.c '/* [Wang2015; Nobody1999] */'
 check 'noticed: an entry that nobody cites' broken 'every entry is cited' references.bib '@book{Nobody1999, title = {x}}'
-check 'noticed: an entry that is there twice' broken 'no entry is there twice' references.bib '@article{Wang2015, title = {x}}'
+check 'noticed: an entry that occurs twice' broken 'no entry occurs twice' references.bib '@article{Wang2015, title = {x}}'
 finish

@@ -50,7 +50,7 @@ ln -s own alias
 check 'also by another way' keeps own refuses contact.yaml --set path=own/paths/wall0-0.csv -o alias --force
 mkdir self && cp bodies.yaml self/case.yaml
 check 'a case file' keeps self refuses self/case.yaml -o self --force
-check 'a sample that is there' run_gives 0 small.yaml -o one --sample sample.bin
+check 'an existing sample' run_gives 0 small.yaml -o one --sample sample.bin
 mkdir two && cp sample.bin two/checkpoint.bin
 check 'and has the name of a result' keeps two refuses small.yaml -o two --sample two/checkpoint.bin --force
 check 'a sample that the run would make, and write over' refuses small.yaml -o three --sample three/history.csv
@@ -102,7 +102,7 @@ mkdir once/frames && echo mine >once/frames/00000.png
 check 'is not taken for one' keeps once/frames refuses bodies.yaml -o once --force --frames 2
 check 'a list cut short in a name' run_gives 0 bodies.yaml -o torn
 printf 'contac' >>torn/trundle-files.txt
-check 'is gone on with' run_gives 0 bodies.yaml -o torn --force
+check 'continues' run_gives 0 bodies.yaml -o torn --force
 check 'a name a line' is_silent grep -v -x -E '#.*|contac|-?[a-z./0-9]+\.(csv|yaml|json)' torn/trundle-files.txt
 
 # ---- the list itself ----
@@ -120,9 +120,9 @@ if command -v mkfifo >/dev/null; then
     waits_not() { timeout 20 "$TRUNDLE" run "$@" >stdout 2>stderr; [ $? -eq 3 ]; }
     check 'a pipe in its place does not wait' waits_not bodies.yaml -o pipes
     cp -r once piped && rm piped/summary.json && mkfifo piped/summary.json
-    check 'nor in the place of a result' waits_not bodies.yaml -o piped --resume
+    check 'also not as a result' waits_not bodies.yaml -o piped --resume
     mkfifo sample.fifo
-    check 'nor of a sample' waits_not small.yaml -o four --sample sample.fifo
+    check 'also not as a sample' waits_not small.yaml -o four --sample sample.fifo
 fi
 
 # ---- names of parts ----
@@ -145,7 +145,7 @@ wait $child 2>/dev/null
 cp -al hard backup
 kept_by_links() { (cd backup && find . -type f ! -name trundle-files.txt -exec cksum {} + | sort); }
 before=$(kept_by_links)
-check 'a run that was copied by hard links is gone on with' run_gives 0 small.yaml -o hard --resume --set shear.inertial_number=5e-4
+check 'a run that was copied by hard links continues' run_gives 0 small.yaml -o hard --resume --set shear.inertial_number=5e-4
 check 'the copy is as it was' equals "$(kept_by_links)" "$before"
 
 # ---- a name is on the list before its file exists ----

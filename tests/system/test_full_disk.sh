@@ -62,5 +62,5 @@ check 'frames fill the disk' run_gives 3 small.yaml --frames 8 -o disk/results
 check 'the message says where' says stderr 'No space left on device'
 check 'and what is kept' says stderr 'kept in disk/results:'
 kept=$(sed -n 's/.*: \([0-9]*\) rows of history.*/\1/p' stderr)
-check 'that is there' equals "$(($(wc -l <disk/results/history.csv) - 1))" "$kept"
+check 'it has the rows' equals "$(($(wc -l <disk/results/history.csv) - 1))" "$kept"
 finish

@@ -77,7 +77,7 @@ if command -v xmllint >/dev/null; then
     check 'in the contents too' tells '//nav//a[@href="#pure-rolling"]/span' "$told"
     check 'in an attribute' tells "$rolling/video/@aria-label" "Film: $nasty"
     check 'nothing became a tag' counts '//i' 0
-    check 'nor a script' counts '//script' 1
+    check 'no script either' counts '//script' 1
     check 'the case as it is' tells '//pre[@id="yaml-bare"]' "$(cat cases/bare.yaml)"
     cells() { tells "normalize-space($rolling//tbody/tr[$1])" "$2"; }
     check 'a check, rounded' cells 1 "$told slip ends wall 0 and disk 4✓ agrees0.1131 s0.1133 s−0.0002 s0.001 s"

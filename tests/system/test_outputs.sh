@@ -229,7 +229,7 @@ check 'a sweep can collect it' says made/summary.json '"made_over_work":'
 check 'without the ledger' run_gives 0 made.yaml -o no-ledger --set output.energy=no
 check 'nothing is said of energy' not grep -q '"energy[_"]' no-ledger/summary.json
 check 'neither on the way' not grep -q 'made energy' stderr
-check 'nor in history.csv' not grep -q 'J_per_m' no-ledger/history.csv
+check 'also not in history.csv' not grep -q 'J_per_m' no-ledger/history.csv
 
 # ---- the same bytes ----
 without_timing() { sed '/"timing"/,/}/d' "$1"; }
@@ -290,7 +290,7 @@ mkdir own
 cp bodies.yaml own/case.yaml
 check 'a case is not written over by its own run' run_gives 3 own/case.yaml -o own --force
 check 'it is as it was' cmp bodies.yaml own/case.yaml
-check 'nor is anything else written' equals "$(ls own)" case.yaml
+check 'nothing else is written' equals "$(ls own)" case.yaml
 
 # ---- more asked than there are steps ----
 check 'more rows than steps' run_gives 0 small.yaml -o few --set shear.strain_end=2e-5 --set output.contacts=1000 --frames 50

@@ -49,7 +49,7 @@ lines=$(grep -c '' run/paths.csv)
 check 'an unfinished run: 2' bad_paths 'rm summary.json' 'bad has no summary.json: the run is not finished'
 check 'paths.csv cut at the end of a line: 2, and where' \
     bad_paths 'sed -i "\$d" paths.csv' "bad/paths.csv:$((lines - 1)): error: the file ends here with "
-check 'a row that is there twice: 2, and where' bad_paths 'sed -i 5p paths.csv' 'bad/paths.csv:6: error: the contact of '
+check 'a row that occurs twice: 2, and where' bad_paths 'sed -i 5p paths.csv' 'bad/paths.csv:6: error: the contact of '
 check 'a disk that touches itself: 2, and where' bad_paths \
     'awk -F, -v OFS=, "NR == 5 {\$3 = \$4} 1" paths.csv >p && mv p paths.csv' 'bad/paths.csv:5: error: disk '
 check 'a disk that is not there: 2, and where' bad_paths \

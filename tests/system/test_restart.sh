@@ -195,7 +195,7 @@ else
 fi
 
 # ---- other kinds ----
-check 'bodies start afresh' run_gives 0 bodies.yaml -o bodies --resume
+check 'bodies start over' run_gives 0 bodies.yaml -o bodies --resume
 check 'and are left when they are finished' run_gives 0 bodies.yaml -o bodies --resume
 check 'and say so' says stderr 'nothing to resume'
 finish
