@@ -70,7 +70,7 @@ static void test_dashpots_alone(void **state) {
         assert_close(mean[i], 0, 0, 1e-3);
     }
     double order = observed_order(3, safety, mean);
-    print_message("dashpots alone: residual/work %.1e, %.1e, %.1e: order %.2f\n", mean[0], mean[1], mean[2], order);
+    print_message("only dashpots: residual/work %.1e, %.1e, %.1e: order %.2f\n", mean[0], mean[1], mean[2], order);
     assert_true(order > 1.5);
 }
 
