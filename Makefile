@@ -293,6 +293,16 @@ endif
 $(BUILD)/tests/%: $(BUILD)/tests/%.c.o $(BUILD)/libtrundle.a
 	$(call step,LINK) $(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS) -lcmocka
 
+# The tests of the reader of cases, with what the page has in place of libyaml and muParser.
+PAGE_TESTS := $(patsubst %,$(BUILD)/tests/live/page_%,scene expression bad_cases)
+TESTS      += $(PAGE_TESTS)
+$(BUILD)/live/tree.o: src/scene/tree.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(call step,CC) $(CC) -Isrc/live $(C_FLAGS) -c -o $@ $<
+$(PAGE_TESTS): $(BUILD)/tests/live/page_%: $(BUILD)/tests/scene/test_%.c.o $(BUILD)/live/tree.o $(BUILD)/src/live/yaml.c.o \
+        $(BUILD)/src/live/formula.c.o $(BUILD)/libtrundle.a
+	$(call step,LINK) $(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS) -lcmocka
+
 # This test counts allocations.
 $(BUILD)/tests/core/test_allocation: LDFLAGS += -Wl,--wrap=malloc,--wrap=aligned_alloc,--wrap=calloc,--wrap=realloc
 
@@ -401,7 +411,7 @@ install-man: $(OUT)/man/trundle.1
 	install -d $(DESTDIR)$(PREFIX)/share/man/man1
 	install -m 644 $(OUT)/man/*.1 $(DESTDIR)$(PREFIX)/share/man/man1/
 
-run-tests: $(TRUNDLE) $(TESTS) build-faults build-random $(FUZZ:%=$(BUILD)/tests/fuzz/replay_%)
+run-tests: $(TRUNDLE) $(TESTS) $(BUILD)/tests/live/native build-faults build-random $(FUZZ:%=$(BUILD)/tests/fuzz/replay_%)
 	@BUILD=$(abspath $(BUILD)) FAULTS=$(abspath $(BUILD)/tests/faults) RANDOM_SCENES=$(abspath $(BUILD)/random) tests/run $(TRUNDLE) $(TESTS)
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -140,12 +140,52 @@ static bool plain(parser *p, int indent, bool in_flow) {
     }
 }
 
+/* A character by its number, as UTF-8. */
+static bool put_character(parser *p, buffer *b, unsigned c) {
+    if (c < 0x80) return put(p, b, (int)c);
+    if (c < 0x800) return put(p, b, (int)(0xC0 | c >> 6)) && put(p, b, (int)(0x80 | (c & 0x3F)));
+    if (c < 0x10000 && !put(p, b, (int)(0xE0 | c >> 12))) return false;
+    if (c >= 0x10000 && !(put(p, b, (int)(0xF0 | c >> 18)) && put(p, b, (int)(0x80 | (c >> 12 & 0x3F))))) return false;
+    return put(p, b, (int)(0x80 | (c >> 6 & 0x3F))) && put(p, b, (int)(0x80 | (c & 0x3F)));
+}
+
+/* \x41, \u00e4, \U0001f600 */
+static bool numbered(parser *p, buffer *b, int digits) {
+    unsigned c = 0;
+    for (int k = 0; k < digits; k++) {
+        const char hex[] = {(char)peek(p, 1), 0};
+        char *end;
+        unsigned long digit = strtoul(hex, &end, 16);
+        if (!*hex || *end || strchr(" +-", *hex)) return fail(p, "did not find expected hexdecimal number");
+        c = 16 * c + (unsigned)digit;
+        advance(p);
+    }
+    if ((c >= 0xD800 && c < 0xE000) || c > 0x10FFFF) return fail(p, "found invalid Unicode character escape code");
+    return put_character(p, b, c);
+}
+
+/* At a \; ends at the last character of what it stands for. */
 static bool escape(parser *p, buffer *b) {
-    static const char from[] = "\"\\/nt0", to[] = "\"\\/\n\t";
-    const char *which = strchr(from, peek(p, 1));
-    if (!peek(p, 1) || !which) return fail(p, "found unknown escape character");
+    static const char from[] = "0abtnvfre\"/\\ \t", to[] = "\0\a\b\t\n\v\f\r\x1b\"/\\ \t";
+    int c = peek(p, 1);
+    const char *which = strchr(from, c);
+    if (!c || (!which && !strchr("xuUN_LP", c))) return fail(p, "found unknown escape character");
     advance(p);
-    return put(p, b, which - from == 5 ? 0 : to[which - from]);
+    if (which) return put(p, b, to[which - from]);
+    switch (c) {
+    case 'x':
+        return numbered(p, b, 2);
+    case 'u':
+        return numbered(p, b, 4);
+    case 'U':
+        return numbered(p, b, 8);
+    case 'N':
+        return put_character(p, b, 0x85);
+    case '_':
+        return put_character(p, b, 0xA0);
+    default:
+        return put_character(p, b, c == 'L' ? 0x2028 : 0x2029);
+    }
 }
 
 static bool quoted(parser *p) {
@@ -239,10 +279,9 @@ static bool flow_text(parser *p) {
 
 /* Behind a key: its value, up to , or the end. */
 static bool flow_value(parser *p) {
-    yaml_mark_t behind = p->mark;
     skip(p);
     int c = peek(p, 0);
-    return c == ',' || c == '}' || c == ']' || !c ? empty(p, behind) : flow(p);
+    return c == ',' || c == '}' || c == ']' || !c ? empty(p, p->mark) : flow(p);
 }
 
 static bool flow_list(parser *p, bool mapping) {
@@ -291,6 +330,7 @@ static bool flow(parser *p) {
 static bool is_key(const parser *p) {
     parser ahead = *p;
     int c = peek(p, 0);
+    if (c == '[' || c == '{') return false;
     if (c == '"' || c == '\'') {
         do advance(&ahead);
         while (peek(&ahead, 0) && peek(&ahead, 0) != c && peek(&ahead, 0) != '\n');
@@ -346,6 +386,9 @@ static bool block_mapping(parser *p) {
         if (!value(p, column, true)) return false;
         skip(p);
     }
+    if (peek(p, 0) == ':') return fail(p, "mapping values are not allowed in this context");
+    if ((int)p->mark.column == column && (peek(p, 0) == '[' || peek(p, 0) == '{'))
+        return flow_list(p, peek(p, 0) == '{');
     if (p->at < p->end && (int)p->mark.column >= column && !document_mark(p)) {
         p->context = "while parsing a block mapping", p->context_mark = start;
         return fail(p, "did not find expected key");
@@ -382,6 +425,8 @@ static bool documents(parser *p) {
     for (skip(p); p->at < p->end; skip(p)) {
         yaml_event_t *start = add(p, YAML_DOCUMENT_START_EVENT, p->mark);
         if (!start) return false;
+        if (!strncmp(p->at, "%TAG", 4)) start->data.document_start.tag_directives.end = p->at; /* it is refused */
+        while (peek(p, 0) == '%' && p->mark.column == 0) skip_line(p), skip(p);
         if (document_mark(p)) {
             for (int k = 0; k < 3; k++) advance(p);
             skip(p);
