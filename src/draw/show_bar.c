@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "draw/show_bar.h"
 
+#include "draw/show.h"
+
 #include <math.h>
 #include <stdio.h>
 

@@ -5,15 +5,18 @@
 #include "draw/show_bar.h"
 #include "draw/show_lamp.h"
 #include "draw/say.h"
+#include "scene/pick.h"
 
 #include <math.h>
 #include <stdio.h>
 
 static const double bar_h = 34, lamp_h = 48, slid_h = 36, line_h = 32;
 
-static void draw_none(cairo_t *cr, tr_box box) {
-    tr_pen_text(cr, (tr_text){.x = box.x, .y = box.y + 32, .size = 28, .hue = TR_FAINT, .room = box.w},
-                TR_SAY(cr, no_contact));
+static void draw_none(cairo_t *cr, tr_box box, const tr_show_lane *lane) {
+    char text[64 + TR_PICK_NAME];
+    int used = snprintf(text, 64, "%s ", TR_SAY(cr, no_contact));
+    if (lane->contact.a != lane->contact.b) tr_scene_pick_name(lane->contact, text + used);
+    tr_pen_text(cr, (tr_text){.x = box.x, .y = box.y + 32, .size = 28, .hue = TR_FAINT, .room = box.w}, text);
 }
 
 /* "slides" and "rolls", each in its colour. unit NULL: without numbers. Returns their height. */
@@ -55,40 +58,44 @@ static double draw_name(cairo_t *cr, tr_box box, const tr_record *r) {
 }
 
 double tr_class_panel(cairo_t *cr, tr_box box, const tr_show_lane *lane, double range) {
-    int n = lane->n_records < TR_SHOW_CONTACTS ? lane->n_records : TR_SHOW_CONTACTS;
+    int all;
+    const tr_record *record = tr_show_records(lane, &all);
+    int n = all < TR_SHOW_CONTACTS ? all : TR_SHOW_CONTACTS;
     const double gap = 14, bars = 2 * bar_h + lamp_h + 6;
-    if (n == 0) return draw_none(cr, box), fmin(44, box.h);
+    if (n == 0) return draw_none(cr, box, lane), fmin(44, box.h);
     bool slid = n <= TR_CLASS_NUMBERS && n * (bars + slid_h + gap) <= box.h;
     if (n == 1 && !slid) box.h = fmax(box.h, bars + gap);
     double each = bars + (slid ? slid_h : 0) + gap;
     if (n * each > box.h) n = (int)(box.h / each);
     tr_unit unit = tr_frame_unit(range, "m/s");
     for (int i = 0; i < n; i++) {
-        const tr_record *r = &lane->record[i];
+        const tr_record *r = &record[i];
         tr_box at = {box.x, box.y + i * each, box.w, lamp_h};
-        double name = lane->n_records > 1 ? fmax(draw_name(cr, at, r) + 16, 0.3 * box.w) : 0;
+        double name = all > 1 ? fmax(draw_name(cr, at, r) + 16, 0.3 * box.w) : 0;
         tr_lamp_draw(cr, (tr_box){at.x + name, at.y + 1, at.w - name - 1, lamp_h - 2},
                      tr_lamp_of(lane->world, r, range));
         at.y += lamp_h + 6;
-        at.y += draw_bars(cr, at, lane, r, range, lane->n_records == 1 ? &unit : NULL);
+        at.y += draw_bars(cr, at, lane, r, range, all == 1 ? &unit : NULL);
         if (slid) draw_slid(cr, at, r);
     }
     return n * each;
 }
 
 void tr_class_pair(cairo_t *cr, tr_box box, const tr_show_lane *lane, double range) {
-    if (lane->n_records == 0) {
-        draw_none(cr, box);
+    int n;
+    const tr_record *record = tr_show_records(lane, &n);
+    if (n == 0) {
+        draw_none(cr, box, lane);
         return;
     }
     bool row = box.h < TR_CLASS_PAIR_H - 2;
     double lamp = row ? fmin(0.3 * box.w, 170) : fmin(box.w, 190);
-    tr_lamp_draw(cr, (tr_box){box.x, box.y, lamp, row ? box.h : 30}, tr_lamp_of(lane->world, lane->record, range));
+    tr_lamp_draw(cr, (tr_box){box.x, box.y, lamp, row ? box.h : 30}, tr_lamp_of(lane->world, record, range));
     if (row) {
         double w = (box.w - lamp - 32) / 2;
         for (int k = 0; k < 2; k++) {
             tr_bar bar = {.range = range, .hue = k ? TR_ROLLS : TR_SLIDES};
-            bar.value = k ? tr_lamp_rolling(lane->world, lane->record) : lane->record->v_s_by[0];
+            bar.value = k ? tr_lamp_rolling(lane->world, record) : record->v_s_by[0];
             tr_text at = {
                 .x = box.x + lamp + 16 + k * (w + 16), .y = box.y + 24, .size = 24, .bold = true, .hue = bar.hue};
             double label = tr_pen_text(cr, at, k ? TR_SAY(cr, rolls) : TR_SAY(cr, slides)) + 10;
@@ -96,7 +103,7 @@ void tr_class_pair(cairo_t *cr, tr_box box, const tr_show_lane *lane, double ran
         }
         return;
     }
-    draw_bars(cr, (tr_box){box.x, box.y + 30, box.w, 0}, lane, lane->record, range, NULL);
+    draw_bars(cr, (tr_box){box.x, box.y + 30, box.w, 0}, lane, record, range, NULL);
 }
 
 /* The checks that fail; of those that do not fit one line tells. Without one that fails a line for all. */

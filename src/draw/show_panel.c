@@ -7,6 +7,7 @@
 #include "draw/show_bar.h"
 #include "draw/say.h"
 #include "laws/kinematics.h"
+#include "scene/pick.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -21,6 +22,7 @@ typedef struct tr_rows {
     cairo_t *cr;
     tr_box box;
     const tr_show_lane *lane;
+    const tr_record *record;
     double y, height, label, column, range;
     tr_unit unit;
     int shown, most; /* contacts; definitions of a kind */
@@ -46,7 +48,7 @@ static void draw_heading(tr_rows *rows) {
     tr_pen_text(rows->cr, at, rows->shown == 1 ? TR_SAY(rows->cr, contact) : TR_SAY(rows->cr, disks));
     at.align = TR_RIGHT, at.room = rows->column - 12;
     for (int i = 0; i < rows->shown; i++) {
-        const tr_record *r = &rows->lane->record[i];
+        const tr_record *r = &rows->record[i];
         char name[64];
         const char *wall = TR_SAY(rows->cr, wall), *gap = rows->shown == 1 ? " " : "";
         const char *disk = rows->shown == 1 ? TR_SAY(rows->cr, disk) : "";
@@ -68,8 +70,8 @@ static void draw_heading(tr_rows *rows) {
 static void draw_arcs(tr_rows *rows) {
     double most = 0;
     for (int i = 0; i < rows->shown; i++)
-        most = fmax(most, fmax(fabs(rows->lane->record[i].da), fabs(rows->lane->record[i].db)));
-    tr_unit unit = tr_frame_unit(fmax(most, 1e-3 * rows->lane->record[0].R2), "m"); /* no unit for rounding */
+        most = fmax(most, fmax(fabs(rows->record[i].da), fabs(rows->record[i].db)));
+    tr_unit unit = tr_frame_unit(fmax(most, 1e-3 * rows->record[0].R2), "m"); /* no unit for rounding */
     for (int b = 0; b < 2; b++) {
         char text[48];
         tr_text at = label_of(rows, false, b ? TR_ARC_B : TR_ARC_A);
@@ -77,7 +79,7 @@ static void draw_arcs(tr_rows *rows) {
         tr_pen_text(rows->cr, at, text);
         at.align = TR_RIGHT, at.room = rows->column - 12;
         for (int i = 0; i < rows->shown; i++) {
-            const tr_record *r = &rows->lane->record[i];
+            const tr_record *r = &rows->record[i];
             tr_frame_number(text, sizeof text, b ? r->db : r->da, &unit, true);
             at.x = column_x(rows, i + 1);
             tr_pen_text(rows->cr, at, text);
@@ -102,7 +104,7 @@ static void draw_definitions(tr_rows *rows, bool rolling) {
         const unsigned hue = rolling ? TR_ROLLS : TR_SLIDES;
         tr_pen_text(rows->cr, label_of(rows, used, hue), label);
         for (int i = 0; i < rows->shown; i++) {
-            const tr_record *r = &rows->lane->record[i];
+            const tr_record *r = &rows->record[i];
             const double *by = rolling ? r->v_r_by : r->v_s_by;
             tr_bar bar = {.value = by[k], .range = rows->range, .hue = hue, .unit = &rows->unit, .bold = used};
             bar.differs = !(fabs(by[k] - by[0]) <= 0.01 * rows->range);
@@ -141,9 +143,15 @@ static void draw_notes(tr_rows *rows) {
 
 bool tr_panel_bars(cairo_t *cr, tr_box box, const tr_show_lane *lane, double range) {
     tr_rows rows = {.cr = cr, .box = box, .lane = lane, .y = box.y, .range = range, .most = TR_MAX_VELOCITY_MEASURES};
-    rows.shown = lane->n_records < TR_SHOW_CONTACTS ? lane->n_records : TR_SHOW_CONTACTS;
+    const bool chosen = lane->contact.a != lane->contact.b;
+    int n_records;
+    rows.record = tr_show_records(lane, &n_records);
+    rows.shown = n_records < TR_SHOW_CONTACTS ? n_records : TR_SHOW_CONTACTS;
     if (rows.shown == 0) {
-        tr_pen_text(cr, (tr_text){.x = box.x, .y = box.y + 32, .size = 28, .hue = TR_FAINT}, TR_SAY(cr, no_contact));
+        char text[64 + TR_PICK_NAME];
+        int used = snprintf(text, 64, "%s ", TR_SAY(cr, no_contact));
+        if (chosen) tr_scene_pick_name(lane->contact, text + used);
+        tr_pen_text(cr, (tr_text){.x = box.x, .y = box.y + 32, .size = 28, .hue = TR_FAINT}, text);
         return true;
     }
     rows.label = rows.shown > 2 ? LABEL_W_MANY : LABEL_W;
@@ -154,7 +162,7 @@ bool tr_panel_bars(cairo_t *cr, tr_box box, const tr_show_lane *lane, double ran
     for (int n_s = tr_n_sliding_velocities, n_r = tr_n_rolling_velocities;;) {
         int most = n_s > n_r ? n_s : n_r;
         if (rows.most > most) rows.most = most;
-        heading = arcs || rows.shown > 1;
+        heading = arcs || chosen || rows.shown > 1;
         double n = heading + 2 * arcs + (n_s < rows.most ? n_s : rows.most) + (n_r < rows.most ? n_r : rows.most) + 0.6;
         rows.height = fmin((box.h - notes) / n, row_most);
         if (rows.height >= least || rows.most == 1) break;

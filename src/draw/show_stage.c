@@ -179,8 +179,9 @@ static void draw_wall_arc(const tr_stage *s, const tr_record *r, const char *lab
 }
 
 static void draw_arcs(const tr_stage *s, bool labels) {
-    const tr_record *record = s->lane->record;
-    for (int i = 0; i < s->lane->n_records && i < TR_SHOW_CONTACTS; i++) {
+    int n;
+    const tr_record *record = tr_show_records(s->lane, &n);
+    for (int i = 0; i < n && i < TR_SHOW_CONTACTS; i++) {
         const tr_record *r = &record[i];
         int depth_a = 0, depth_b = 0; /* earlier contacts on the same disks */
         for (int k = 0; k < i; k++) {

@@ -194,7 +194,11 @@ static bool check_output(const checker *c, const tr_scope *s) {
     if (scene->output.still > scene->time_end)
         return tr_text_fail(c->r->st, mark_in(s, "still"), "`still` is %.9g s, after `time_end`, which is %.9g s",
                             scene->output.still, scene->time_end);
-    return check_picks(c, s, "paths", &scene->output.paths);
+    const tr_scene_picks *shown = &scene->output.contact;
+    if (shown->n && shown->item[0].a == shown->item[0].b)
+        return tr_text_fail(c->r->st, mark_in(s, "contact"),
+                            "the panel shows one contact, named as 0-1 (two disks) or wall0-1 (wall 0, disk 1)");
+    return check_picks(c, s, "contact", shown) && check_picks(c, s, "paths", &scene->output.paths);
 }
 
 /* A ring holds what is inside of it: smaller, and no deeper in the ring than a contact may be (0.3 of its radius). What is

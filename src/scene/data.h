@@ -90,7 +90,8 @@ typedef struct tr_scene_output {
     bool increments;      /* what the contacts did between two rows, as columns of history.csv and contacts.csv */
     bool curves;          /* draw history.csv or contact.csv with gnuplot; not bodies */
     tr_scene_picks paths; /* contacts whose path is written to paths/NAME.csv */
-    int curve;            /* bodies: tr_curve drawn beside the motion */
+    tr_scene_picks contact; /* bodies: the one contact that the panel and the curve show; none: the first ones */
+    int curve;              /* bodies: tr_curve drawn beside the motion */
     double still;         /* bodies: time of still.png [s] */
     int view;             /* bodies, biaxial: tr_output_view */
     int language;         /* of the words in pictures, in the order of the choices of `language:` */
@@ -103,8 +104,8 @@ typedef enum tr_output_view { TR_VIEW_CLASS, TR_VIEW_EXPERT } tr_output_view;
 typedef enum tr_curve {
     TR_CURVE_NONE,       /* only bars */
     TR_CURVE_SPEED,      /* of disk 0 */
-    TR_CURVE_VELOCITIES, /* V_s and V_r of the first contact */
-    TR_CURVE_CREEPAGE,   /* of the first contact */
+    TR_CURVE_VELOCITIES, /* V_s and V_r of output.contact, or the first contact */
+    TR_CURVE_CREEPAGE,   /* of the same */
     TR_CURVE_SPIN        /* of the last disk */
 } tr_curve;
 

@@ -183,7 +183,9 @@ static const tr_param output[] = {
     }
 static const tr_param output_bodies[] = {
     {"curve", TR_CHOICE, TR_DIM_NUMBER, "", "none", 0, 0, "none|speed|velocities|creepage|spin", AT(curve),
-     "drawn over time: speed of disk 0; V_s and V_r, or creepage, of the first contact; spin of the last disk"},
+     "drawn over time: speed of disk 0; V_s and V_r, or creepage, of `contact`, else the first; spin of the last disk"},
+    {"contact", TR_PICKS, TR_DIM_NUMBER, "", "[]", 0, 1, NULL, AT(contact),
+     "shown in the panel, alone: 0-1 (two disks), wall0-2 (wall 0, disk 2); by default the first four"},
     {"still", TR_REAL, TR_DIM_TIME, "s", "time_end", 0, 1e6, NULL, AT(still), "time of still.png"},
     VIEW,
 };

@@ -46,8 +46,20 @@ static void sample_trace(tr_play *p) {
     }
 }
 
+static tr_scene_pick shown(const tr_play *p) {
+    const tr_scene_picks *picks = &p->scene->output.contact;
+    return picks->n ? picks->item[0] : (tr_scene_pick){0};
+}
+
+static const tr_record *curve_contact(const tr_play *p) {
+    tr_scene_pick pick = shown(p);
+    for (int i = 0; i < p->n_records; i++)
+        if (pick.a == pick.b || (p->records[i].a == pick.a && p->records[i].b == pick.b)) return &p->records[i];
+    return NULL;
+}
+
 static void sample_curve(tr_play *p) {
-    const tr_record *r = p->n_records ? &p->records[0] : NULL;
+    const tr_record *r = curve_contact(p);
     double v[3], *first = &p->value[0][p->n], *second = &p->value[1][p->n];
     *first = *second = NAN;
     switch (p->curve) {
@@ -133,6 +145,7 @@ tr_show_lane tr_play_lane(tr_play *p) {
                          .disk = p->scene->disks,
                          .record = p->records,
                          .n_records = p->n_records,
+                         .contact = shown(p),
                          .tilt = tr_play_tilt(p),
                          .slope = slope_of(p),
                          .trace = p->trace,

@@ -419,6 +419,50 @@ static void test_rubbed_floor_is_as_long_as_said(void **state) {
 
 /* Range of the plot from its horizontal grid is not known here; equal steps of value, and of time, are equal on
  * paper. */
+/* Two contacts of other velocities. The panel of one that is chosen is the panel of a world that has no other, but for the note
+ * that there is one more; so are the arcs on the rims. One that does not touch has no numbers, whatever else touches. */
+static void test_the_panel_shows_the_contact_that_is_chosen(void **state) {
+    (void)state;
+    hand_made *h = hand_pair(10e-3, 10e-3, 0, 0, 3, 4);
+    h->world.n_walls = 1;
+    h->world.wall[0] = (tr_wall){.y = -10e-3, .ny = 1};
+    hand_contact(h, -1, 1, 0.02, -0.05, 4e-3, 9e-3);
+    const rect above = {845, 66, W, 330};
+    for (int lanes = 1; lanes <= 2; lanes++)
+        for (int k = 0; k < 2; k++) {
+            tr_show_lane lane[2] = {hand_lane(h), hand_lane(h)}, alone[2] = {hand_lane(h), hand_lane(h)};
+            for (int i = 0; i < 2; i++) {
+                lane[i].contact = (tr_scene_pick){h->record[k].a, h->record[k].b};
+                alone[i].record = &h->record[k], alone[i].n_records = 1;
+            }
+            tr_show show = hand_show(alone, lanes);
+            show.range = 0.1;
+            tr_draw_show(canvas, &show);
+            unsigned char *want = copy();
+            show.lane = lane;
+            tr_draw_show(canvas, &show);
+            /* the point of the other contact is still there, in the picture; lanes have no note */
+            assert_int_equal(differ(want, lanes == 1 ? above : (rect){0, 600, W, 660}, 0), 0);
+            lane[0].contact = lane[1].contact = (tr_scene_pick){h->record[!k].a, h->record[!k].b};
+            tr_draw_show(canvas, &show);
+            assert_true(differ(want, lanes == 1 ? above : picture, 20) > 100);
+            free(want);
+        }
+    tr_show_lane lane = hand_lane(h), bare = hand_lane(h);
+    lane.contact = (tr_scene_pick){-1, 0};
+    bare.n_records = 0;
+    tr_show show = hand_show(&bare, 1);
+    show.range = 0.1;
+    tr_draw_show(canvas, &show);
+    unsigned char *want = copy();
+    show.lane = &lane;
+    tr_draw_show(canvas, &show);
+    assert_int_equal(differ(want, (rect){845, 110, W, 660}, 0), 0); /* below the line that says so */
+    assert_true(differ(want, (rect){845, 66, W, 110}, 20) > 20);    /* and which is meant */
+    free(want), free(h);
+}
+
+/* Range of the plot from its horizontal grid is not known here; equal steps of value, and of time, are equal on paper. */
 static void test_chart_is_linear_in_value_and_time(void **state) {
     (void)state;
     enum { LANE = 1 }; /* its curve alone has the colour, its mark alone is faint */
@@ -665,6 +709,7 @@ int main(void) {
         cmocka_unit_test(test_double_arrow_points_the_ways_of_the_surfaces),
         cmocka_unit_test(test_marks_turn_with_their_disk),
         cmocka_unit_test(test_rubbed_floor_is_as_long_as_said),
+        cmocka_unit_test(test_the_panel_shows_the_contact_that_is_chosen),
         cmocka_unit_test(test_chart_is_linear_in_value_and_time),
         cmocka_unit_test(test_gap_in_a_curve_stays_a_gap),
         cmocka_unit_test(test_paragraph_breaks_lines_and_then_shrinks),

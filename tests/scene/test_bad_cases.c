@@ -86,7 +86,7 @@ static const bad_case rows[] = {
      "output, disks, walls, checks\nseed: 3\n^"},
     {GOOD_BODIES "output: {energy: yes}\n", 0, NULL,
      "a.yaml:5:10: error: `output.energy` is not for `kind: bodies`; allowed here: frames, rows, contacts, paths, "
-     "curve, still\noutput: {energy: yes}\n         ^"},
+     "curve, contact, still\noutput: {energy: yes}\n         ^"},
     {GOOD "output: {color: mobilization}\n", 0, NULL,
      "a.yaml:5:17: error: `mobilization` is not a choice for `color` (did you mean `mobilisation`?); allowed is "
      "mobilisation | sliding | rolling | slip | spin\noutput: {color: mobilization}\n                ^"},
@@ -506,6 +506,14 @@ static void bodies_messages(void **state) {
         {GOOD_BODIES "---\nlabel: b\ntime_end: 2 s\n", "a.yaml:7:1: error: `time_end` must be the same in every "},
         {GOOD_BODIES "---\noutput: {rows: 9}\n", "a.yaml:6:1: error: `output` must be the same in every document"},
         {GOOD_BODIES "output: {frames: 3}\n---\noutput:\n", "a.yaml:7:1: error: `output` must be the same in every "},
+        {GOOD_BODIES "output: {contact: 0-1}\n",
+         "a.yaml:5:19: error: there is no contact `0-1`: disks count from 0 to 0, walls are 0\n"},
+        {GOOD_BODIES "output: {contact: wall0-0}\n", "a.yaml:5:19: error: there is no contact `wall0-0`: disks count "},
+        {GOOD_BODIES "output: {contact: most-mobilised}\n",
+         "a.yaml:5:19: error: the panel shows one contact, named as 0-1 (two disks) or wall0-1 (wall 0, disk 1)\n"},
+        {GOOD_BODIES "output: {contact: [0-1, 0-2]}\n", "a.yaml:5:25: error: more than 1 contact in `contact`\n"},
+        {GOOD_BODIES "output: {contact: first}\n", "a.yaml:5:19: error: `first` is no contact; name it 17-42 "},
+        {GOOD "output: {contact: 0-1}\n", "a.yaml:5:10: error: `output.contact` is not for `kind: biaxial`; allowed "},
         {GOOD_BODIES "output: {paths: 0-1}\n---\nlabel: b\n", "a.yaml:5:17: error: there is no contact `0-1`"},
         {GOOD_BODIES "---\nlesson: {title: b}\n", "a.yaml:6:1: error: `lesson` must be the same in every document"},
         {GOOD_BODIES "---\n",
