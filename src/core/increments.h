@@ -42,8 +42,8 @@ typedef struct tr_spread {
     double q1, median, q3, mean;
 } tr_spread;
 
-/* All 0 where there is nothing to tell of. Field, column of history.csv, what the column is divided by: a new one is a row
- * here and its line in increments.c. R: mean radius of the disks. A SPREAD is four columns. */
+/* All 0 where there is nothing to tell of. Field, column of history.csv, what the column is divided by: a new one
+ * is a row here and its line in increments.c. R: mean radius of the disks. A SPREAD is four columns. */
 #define TR_INCREMENTS(ROW, SPREAD)                                                                                     \
     ROW(followed, "followed", 1) /* contacts that touched all the time, over the mean number of those that touch */    \
     SPREAD(roll, "roll_over_slide")                                                                                    \

@@ -5,11 +5,13 @@
 
 #include "core/record.h"
 
-/* Field, unit "disk|sphere", and 1 where the mean over the residual is in summary.json. They are columns of history.csv:
- * a new one is a row here and its line in measures.c. Contacts are disk-disk alone unless it says otherwise.
+/* Field, unit "disk|sphere", and 1 where the mean over the residual is in summary.json. They are columns of
+ * history.csv: a new one is a row here and its line in measures.c. Contacts are disk-disk alone unless it says
+ * otherwise.
  *
- * opposed_fraction: the rims run opposite ways, as in sliding (pure rolling: s1 = s2), and "model 2" sees no rolling
- * [Wang2015 eqs. 23-24, Fig. 5]. The same as |s1 - s2| > |s1 + s2|: more sliding than mean flow through the contact. */
+ * opposed_fraction: the rims run opposite ways, as in sliding (pure rolling: s1 = s2), and "model 2" sees no
+ * rolling [Wang2015 eqs. 23-24, Fig. 5]. The same as |s1 - s2| > |s1 + s2|: more sliding than mean flow through
+ * the contact. */
 #define TR_CONTACT_MEASURES(ROW)                                                                                       \
     ROW(n_contacts, "1", 0)       /* touching, disk-disk and wall-disk */                                              \
     ROW(coordination, "1", 0)     /* (2 disk-disk + wall-disk contacts) / disks */                                     \

@@ -69,8 +69,7 @@ static void draw_heading(tr_rows *rows) {
 /* How far the rims have rolled. */
 static void draw_arcs(tr_rows *rows) {
     double most = 0;
-    for (int i = 0; i < rows->shown; i++)
-        most = fmax(most, fmax(fabs(rows->record[i].da), fabs(rows->record[i].db)));
+    for (int i = 0; i < rows->shown; i++) most = fmax(most, fmax(fabs(rows->record[i].da), fabs(rows->record[i].db)));
     tr_unit unit = tr_frame_unit(fmax(most, 1e-3 * rows->record[0].R2), "m"); /* no unit for rounding */
     for (int b = 0; b < 2; b++) {
         char text[48];

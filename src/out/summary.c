@@ -15,10 +15,7 @@ static void add_measures(tr_measures *sum, const tr_measures *m) {
     TR_FORCE_MEASURES(ADD)
 }
 
-static void divide_measures(tr_measures *sum, int n) {
-    TR_CONTACT_MEASURES(DIVIDE)
-    TR_FORCE_MEASURES(DIVIDE)
-}
+static void divide_measures(tr_measures *sum, int n){TR_CONTACT_MEASURES(DIVIDE) TR_FORCE_MEASURES(DIVIDE)}
 
 tr_strength tr_summary_strength(const tr_series *s) {
     tr_strength r = {0};

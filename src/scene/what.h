@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* What a check can measure: one row each. The reader, the writer, the list of keys and the drivers of study/ read these
- * rows.
+/* What a check can measure: one row each. The reader, the writer, the list of keys and the drivers of study/ read
+ * these rows.
  *
- * Of bodies a new one is a row of TR_WHATS and its function in study/checks.c. Along a path the columns of contact.csv are
- * measured: a new one is a row of TR_COLUMNS and its field in study/contact.h. */
+ * Of bodies a new one is a row of TR_WHATS and its function in study/checks.c. Along a path the columns of
+ * contact.csv are measured: a new one is a row of TR_COLUMNS and its field in study/contact.h. */
 #ifndef TR_SCENE_WHAT_H
 #define TR_SCENE_WHAT_H
 

@@ -80,8 +80,7 @@ static void time_passes(tr_world *world, tr_bench_report *r, tr_status *st) {
     r->n_passes = n_pass + 3;
     for (int p = 0; p < r->n_passes; p++) {
         const char *name = p == 0 ? "gather" : p <= n_pass ? world->group[0].pass[p - 1].name : ends[p - n_pass - 1];
-        double seconds =
-            p < n_pass + 2 ? median(added[p], REPEATS) : r->us_per_step * 1e-6 - median(forces, REPEATS);
+        double seconds = p < n_pass + 2 ? median(added[p], REPEATS) : r->us_per_step * 1e-6 - median(forces, REPEATS);
         snprintf(r->pass[p].name, sizeof r->pass[p].name, "%s", name);
         r->pass[p].ns = 1e9 * seconds / contacts;
     }

@@ -178,11 +178,8 @@ void tr_checks_results(const tr_checks *c, tr_check_result *result) {
         const tr_scene_check *check = &c->scene->checks[k];
         double measured = c->item[k].value;
         const tr_what_row *row = &tr_whats[check->what];
-        result[k] = (tr_check_result){.lane = c->scene->label,
-                                      .shape = c->scene->shape,
-                                      .check = check,
-                                      .what = row->name,
-                                      .unit = row->unit};
+        result[k] = (tr_check_result){
+            .lane = c->scene->label, .shape = c->scene->shape, .check = check, .what = row->name, .unit = row->unit};
         result[k].measured = measured;
         result[k].ok = fabs(measured - check->exact) <= check->tolerance; /* false for NaN */
         if (row->whose == TR_OF_CONTACT)

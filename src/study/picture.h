@@ -7,7 +7,6 @@
 #include "out/summary.h"
 #include "study/play.h"
 
-
 typedef struct tr_cast {
     const tr_scene *scene; /* the first; its lesson and output apply to all */
     const char *title;     /* where the lesson has none */

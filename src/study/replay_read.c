@@ -214,8 +214,8 @@ bool tr_replay_read(tr_replay *r, const char *run, tr_status *st) {
     reader in = {.r = r};
     struct stat file;
     if (!stat(run, &file) && !S_ISDIR(file.st_mode))
-        return tr_status_fail(st, TR_BAD_CASE, "error: %.400s is a file; a replay is of the directory of a finished run",
-                              run);
+        return tr_status_fail(st, TR_BAD_CASE,
+                              "error: %.400s is a file; a replay is of the directory of a finished run", run);
     if (!tr_dir_path(path, run, "case.yaml", st) ||
         !tr_scene_read_file(&r->scene, path, NULL, 0, tr_laws_catalog(), st))
         return false;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* With pictures it runs twice: the first run writes nothing and finds the largest slip of a step, so that one scale serves
- * the whole film. */
+/* With pictures it runs twice: the first run writes nothing and finds the largest slip of a step, so that one
+ * scale serves the whole film. */
 #include "study/run_patch.h"
 
 #include "base/alloc.h"

@@ -92,9 +92,10 @@ static void warn_gravity(const tr_bodies *b, const char *of, tr_run_report *repo
         away &= scene->gravity.x * scene->walls[i].nx + scene->gravity.y * scene->walls[i].ny > 0;
     for (int i = 0; i < scene->n_disks; i++) free |= scene->disks[i].motion == TR_FREE;
     if (away && free)
-        tr_run_note(report,
-                    "%sgravity (%g, %g) m/s^2 points away from %s: disks fly off. Down is negative: gravity: {y: -9.81}",
-                    of, scene->gravity.x, scene->gravity.y, scene->n_walls > 1 ? "all walls" : "the wall");
+        tr_run_note(
+            report,
+            "%sgravity (%g, %g) m/s^2 points away from %s: disks fly off. Down is negative: gravity: {y: -9.81}", of,
+            scene->gravity.x, scene->gravity.y, scene->n_walls > 1 ? "all walls" : "the wall");
 }
 
 void tr_warn_bodies(const tr_bodies *b, const char *label, tr_run_report *report) {

@@ -22,8 +22,8 @@ bool tr_exact_path(const char *text, tr_contact_state *end, int n, tr_scene_pair
 /* Gives a world whose disks are set the laws of `contact: {...}` of a case. */
 bool tr_exact_laws(tr_world *world, const char *contact, unsigned sinks, tr_status *st);
 
-/* Of n rows, each `size` bytes and beginning with the name of a law, that of the law in the name of the verification at work,
- * "PREFIX-LAW". NULL and a failure: there is none. */
+/* Of n rows, each `size` bytes and beginning with the name of a law, that of the law in the name of the
+ * verification at work, "PREFIX-LAW". NULL and a failure: there is none. */
 const void *tr_exact_find(const tr_verify *v, const char *prefix, const void *rows, size_t n, size_t size,
                           tr_status *st);
 

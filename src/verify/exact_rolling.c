@@ -99,8 +99,8 @@ bool tr_exact_incline(tr_verify *v, tr_status *st) {
                                           "slope from which it rolls", NULL},
                              *const slipping[] = {"acceleration, slipping", NULL};
     const double mu = 0.3, mu_r = 0.1;
-    const struct resistance *r = tr_exact_find(v, "incline-", resistances, sizeof resistances / sizeof *resistances,
-                                               sizeof *resistances, st);
+    const struct resistance *r =
+        tr_exact_find(v, "incline-", resistances, sizeof resistances / sizeof *resistances, sizeof *resistances, st);
     if (!r) return false;
     char law[160], checks[400];
     double rolls = (r->moment + r->force) * mu_r, slips = 3 * mu - (2 * r->moment - r->force) * mu_r;

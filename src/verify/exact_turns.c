@@ -46,8 +46,7 @@ static double spin_left(tr_pairs_tile *p, bool relative) {
 
 bool tr_exact_sign_laws(tr_verify *v, tr_status *st) {
     static const tr_law *const law[] = {&tr_rolling_star_force_proportional, &tr_rolling_star_constant_torque};
-    static const char *const quantity[] = {"force proportional: spin left",
-                                                  "constant torque: relative spin left"};
+    static const char *const quantity[] = {"force proportional: spin left", "constant torque: relative spin left"};
     tr_pairs_tile *p = tr_alloc(1, sizeof *p, st);
     bool ok = p;
     for (int k = 0; k < 2 && ok; k++) {
@@ -154,8 +153,8 @@ bool tr_exact_rolling_store(tr_verify *v, tr_status *st) {
     for (int k = 0; k < 3 && ok; k++) {
         tr_pairs_set(p, TR_ROLLING_SLOT, law[k]);
         if (k == 1) p->rolling_velocity = "bagi-kuhn";
-        ok = tr_exact_row(v, law[k]->table.name, "1", store_off(p), 0, 1e-11, NAN, "rounding: the mean of a linear force is exact",
-                          st);
+        ok = tr_exact_row(v, law[k]->table.name, "1", store_off(p), 0, 1e-11, NAN,
+                          "rounding: the mean of a linear force is exact", st);
     }
     free(p);
     return ok;

@@ -3,8 +3,8 @@
 #include "assert_close.h"
 #include "base/quantile.h"
 
-/* 9 1 4 1 sorted is 1 1 4 9: the median is halfway from 1 to 4, the quartiles are a quarter and three quarters of the way from
- * the first to the last rank. */
+/* 9 1 4 1 sorted is 1 1 4 9: the median is halfway from 1 to 4, the quartiles are a quarter and three quarters of
+ * the way from the first to the last rank. */
 static void of_four_numbers(void **state) {
     (void)state;
     double x[] = {9, 1, 4, 1};

@@ -417,10 +417,9 @@ static void test_rubbed_floor_is_as_long_as_said(void **state) {
     free(h);
 }
 
-/* Range of the plot from its horizontal grid is not known here; equal steps of value, and of time, are equal on
- * paper. */
-/* Two contacts of other velocities. The panel of one that is chosen is the panel of a world that has no other, but for the note
- * that there is one more; so are the arcs on the rims. One that does not touch has no numbers, whatever else touches. */
+/* Two contacts of other velocities. The panel of one that is chosen is the panel of a world that has no other, but
+ * for the note that there is one more; so are the arcs on the rims. One that does not touch has no numbers,
+ * whatever else touches. */
 static void test_the_panel_shows_the_contact_that_is_chosen(void **state) {
     (void)state;
     hand_made *h = hand_pair(10e-3, 10e-3, 0, 0, 3, 4);

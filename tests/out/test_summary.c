@@ -161,9 +161,11 @@ static void test_a_row_of_too_many_columns_is_not_written(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_strength), cmocka_unit_test(test_counts), cmocka_unit_test(test_increments),
-        cmocka_unit_test(test_tan_phi_where_there_is_one), cmocka_unit_test(test_what_is_no_number_is_an_empty_cell),
-        cmocka_unit_test(test_a_row_of_too_many_columns_is_not_written)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_strength),
+                                       cmocka_unit_test(test_counts),
+                                       cmocka_unit_test(test_increments),
+                                       cmocka_unit_test(test_tan_phi_where_there_is_one),
+                                       cmocka_unit_test(test_what_is_no_number_is_an_empty_cell),
+                                       cmocka_unit_test(test_a_row_of_too_many_columns_is_not_written)};
     return cmocka_run_group_tests_name("summary", tests, NULL, NULL);
 }

@@ -119,7 +119,8 @@ static const bad_case rows[] = {
     {"kind: biaxial\nsample: {r_min: 1   mx, r_max: 2 mm}\ncontact: {k_n: 1 MPa}\ncompaction: {pressure: 1 kPa}\n", 0,
      NULL,
      "a.yaml:2:21: error: unknown name `mx`; a name is a key of this mapping, section.key, or a unit: kg g t m mm cm "
-     "um km s ms us min N kN MN Pa kPa MPa GPa J deg rad rpm (`r_min` is in m)\nsample: {r_min: 1   mx, r_max: 2 mm}\n  "
+     "um km s ms us min N kN MN Pa kPa MPa GPa J deg rad rpm (`r_min` is in m)\nsample: {r_min: 1   mx, r_max: 2 mm}\n "
+     " "
      "                  ^"},
     {"kind: biaxial\nsample: {r_min: r_mix, r_max: 2 mm}\ncontact: {k_n: 1 MPa}\ncompaction: {pressure: 1 kPa}\n", 0,
      NULL,
@@ -197,7 +198,8 @@ static const bad_case rows[] = {
      0, NULL,
      "a.yaml:3:31: error: `liner` is not a choice for `normal` (did you mean `linear`?); allowed is linear | sticky | "
      "hertz-line | hertz-sphere\ncontact: {k_n: 1 MPa, normal: liner}\n                              ^"},
-    {"kind: biaxial\nsample: {r_min: 1 mm, r_max: 2 mm}\ncontact: {k_n: 1 MPa, rolling: old-spring}\ncompaction: {pressure: "
+    {"kind: biaxial\nsample: {r_min: 1 mm, r_max: 2 mm}\ncontact: {k_n: 1 MPa, rolling: old-spring}\ncompaction: "
+     "{pressure: "
      "1 kPa}\n",
      0, NULL,
      "a.yaml:3:32: error: `old-spring` has another name now: write `rolling: wang-spring`\ncontact: {k_n: 1 MPa, "
@@ -374,31 +376,41 @@ static void habits_messages(void **state) {
         {GOOD "step: {dt: 0,3, safety: 0,3}\n", "a.yaml:5:14: error: a number has a decimal point: write `dt: 0.3`\n"},
         {NO_DISKS "disks: [{radius: 0,5 mm, x: 0, y: 0}]\n",
          "a.yaml:4:20: error: a number has a decimal point: write `radius: 0.5 mm`\n"},
-        {GOOD "step: {safety: 0.1, 3: 4}\n", "a.yaml:5:21: error: a number has a decimal point: write `safety: 0.1.3`\n"},
+        {GOOD "step: {safety: 0.1, 3: 4}\n",
+         "a.yaml:5:21: error: a number has a decimal point: write `safety: 0.1.3`\n"},
         {GOOD "step: {3: 4}\n", "a.yaml:5:8: error: unknown key `step.3`"},
         {"kind: bodies\ntime_end: 0,3 s\n" ONE_DISK,
          "a.yaml:2:12: error: `,` cannot stand in a value; a number has a decimal point, and nothing between "
          "thousands: write 0.3 for 0,3, and 1000 for 1,000 (`time_end` is in s)\n"},
-        {"kind: bodies\ntime_end: 20% \n" ONE_DISK, "a.yaml:2:13: error: `%` cannot stand in a value; write 0.2 for 20 % ("},
-        {"kind: bodies\ntime_end: 20 %\n" ONE_DISK, "a.yaml:2:14: error: `%` cannot stand in a value; write 0.2 for 20 % ("},
-        {"kind: bodies\ntime_end: 10°\n" ONE_DISK, "a.yaml:2:11: error: `°` cannot stand in a value; write 10 deg for 10 ° ("},
-        {"kind: bodies\ntime_end: 10 µs\n" ONE_DISK, "a.yaml:2:11: error: `µ` cannot stand in a value; write um for µm ("},
-        {"kind: bodies\ntime_end: −1 s\n" ONE_DISK, "a.yaml:2:11: error: `−` cannot stand in a value; write - for the minus ("},
-        {"kind: bodies\ntime_end: 2·3 s\n" ONE_DISK, "a.yaml:2:11: error: `·` cannot stand in a value; write * between factors ("},
+        {"kind: bodies\ntime_end: 20% \n" ONE_DISK,
+         "a.yaml:2:13: error: `%` cannot stand in a value; write 0.2 for 20 % ("},
+        {"kind: bodies\ntime_end: 20 %\n" ONE_DISK,
+         "a.yaml:2:14: error: `%` cannot stand in a value; write 0.2 for 20 % ("},
+        {"kind: bodies\ntime_end: 10°\n" ONE_DISK,
+         "a.yaml:2:11: error: `°` cannot stand in a value; write 10 deg for 10 ° ("},
+        {"kind: bodies\ntime_end: 10 µs\n" ONE_DISK,
+         "a.yaml:2:11: error: `µ` cannot stand in a value; write um for µm ("},
+        {"kind: bodies\ntime_end: −1 s\n" ONE_DISK,
+         "a.yaml:2:11: error: `−` cannot stand in a value; write - for the minus ("},
+        {"kind: bodies\ntime_end: 2·3 s\n" ONE_DISK,
+         "a.yaml:2:11: error: `·` cannot stand in a value; write * between factors ("},
         {"kind: bodies\ntime_end: 1 s²\n" ONE_DISK, "a.yaml:2:11: error: `²` cannot stand in a value; write ^2 ("},
-        {"kind: bodies\ntime_end: 1 €\n" ONE_DISK, "a.yaml:2:11: error: this character cannot stand in a value; allowed are "},
+        {"kind: bodies\ntime_end: 1 €\n" ONE_DISK,
+         "a.yaml:2:11: error: this character cannot stand in a value; allowed are "},
         {GOOD "mu: 0.3\n", "a.yaml:5:1: error: unknown key `mu` (did you mean `contact.mu`?); allowed here: kind, "},
         {GOOD "frames: 3\n", "a.yaml:5:1: error: unknown key `frames` (did you mean `output.frames`?); allowed here: "},
         {GOOD "output: {r_min: 3}\n",
          "a.yaml:5:10: error: unknown key `output.r_min` (did you mean `sample.r_min`?); allowed here: frames, "},
-        {GOOD_BODIES "radius: 3\n", "a.yaml:5:1: error: unknown key `radius` (did you mean `disks.0.radius`?); allowed "},
-        {ROLL "slide: 3\n", "a.yaml:5:1: error: unknown key `slide` (did you mean `path.0.slide`?); allowed here: kind, "},
+        {GOOD_BODIES "radius: 3\n",
+         "a.yaml:5:1: error: unknown key `radius` (did you mean `disks.0.radius`?); allowed "},
+        {ROLL "slide: 3\n",
+         "a.yaml:5:1: error: unknown key `slide` (did you mean `path.0.slide`?); allowed here: kind, "},
         {GOOD_BODIES "gravity: -9.81\n", "a.yaml:5:10: error: `gravity` must be a mapping of keys and values: write "
                                          "gravity: {y: -9.81 m/s^2}\n"},
         {GOOD_BODIES "lesson: Coasting\n", "a.yaml:5:9: error: `lesson` must be a mapping of keys and values: write "
                                            "lesson: {title: what there is to see}\n"},
         {"kind: sweep\nbase: a.yaml\n", "a.yaml:1:7: error: this is a sweep over many cases: `trundle sweep` runs it; "
-                                         "a case has `kind`: biaxial | bodies | contact | patch\n"},
+                                        "a case has `kind`: biaxial | bodies | contact | patch\n"},
     };
     assert_messages(rows, sizeof rows / sizeof *rows);
 }
@@ -429,7 +441,8 @@ static void path_check_messages(void **state) {
         {ROLL "checks: [{what: Q, at: 1 s, exact: 1, tolerance: 1}]\n",
          "a.yaml:5:20: error: `checks.0.at` is not for `kind: contact`; allowed here: what, law, segment, exact, "},
         {PATCH "checks: [{what: Q, law: 0, exact: 1, tolerance: 1}]\n",
-         "a.yaml:5:20: error: `checks.0.law` is not for `kind: patch`; allowed here: what, segment, exact, tolerance\n"},
+         "a.yaml:5:20: error: `checks.0.law` is not for `kind: patch`; allowed here: what, segment, exact, "
+         "tolerance\n"},
         {GOOD_BODIES "checks: [{what: speed, segment: 0, exact: 1, tolerance: 1}]\n",
          "a.yaml:5:24: error: `checks.0.segment` is not for `kind: bodies`; allowed here: what, disk, at, over, "},
     };
@@ -675,10 +688,9 @@ static void contact_messages(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(messages),       cmocka_unit_test(contact_messages),
-                                       cmocka_unit_test(patch_messages), cmocka_unit_test(bodies_messages), cmocka_unit_test(path_check_messages),
-        cmocka_unit_test(habits_messages),
-                                       cmocka_unit_test(limits),         cmocka_unit_test(too_many_disks),
-                                       cmocka_unit_test(long_lines)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(messages),        cmocka_unit_test(contact_messages),    cmocka_unit_test(patch_messages),
+        cmocka_unit_test(bodies_messages), cmocka_unit_test(path_check_messages), cmocka_unit_test(habits_messages),
+        cmocka_unit_test(limits),          cmocka_unit_test(too_many_disks),      cmocka_unit_test(long_lines)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -128,12 +128,14 @@ static void refuses(void **state) {
         "rpm (1 Hz = 2*pi*rad/s = 360 deg/s = 60 rpm)";
     const char *const operand = "expected a number, a unit, a key or `(` here";
     const char *const operator= "expected + - * / ^ or the end here";
+    const char *const comma = "`,` cannot stand in a value; a number has a decimal point, and nothing between "
+                              "thousands: write 0.3 for 0,3, and 1000 for 1,000";
     const char *const character = "this character cannot stand in a value; allowed are numbers, names, + - * / ^ ( )";
     const struct {
         const char *text;
         size_t at;
         const char *wanted;
-    } rows[] = {{"mm=3", 2, character}, {"1,2", 1, character}, {"1e3;2", 3, character},
+    } rows[] = {{"mm=3", 2, character}, {"1,2", 1, comma}, {"1e3;2", 3, character},
                 {"2 3", 2, operator},
                  {"mm 3", 3, operator},
                   {"mm mm", 3, operator},

@@ -172,7 +172,8 @@ static int close_folder(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(same_as_written_out), cmocka_unit_test(refuses), cmocka_unit_test(a_check_beyond_the_last_row_is_refused),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(same_as_written_out), cmocka_unit_test(refuses),
+                                       cmocka_unit_test(a_check_beyond_the_last_row_is_refused),
                                        cmocka_unit_test(what_needs_no_times)};
     return cmocka_run_group_tests_name("path", tests, open_folder, close_folder);
 }

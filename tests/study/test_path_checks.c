@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* `checks:` along a path, of `kind: contact` and `patch`: what is measured, where on the path, of which law. The numbers are
- * closed forms. */
+/* `checks:` along a path, of `kind: contact` and `patch`: what is measured, where on the path, of which law. The
+ * numbers are closed forms. */
 #include "assert_close.h"
 #include "laws/law.h"
 #include "out/dir.h"
@@ -51,8 +51,8 @@ static double measured(int check) {
     return value;
 }
 
-/* A spring of 1 GPa slides by 0.1 nm: 0.1 N/m. Back by a metre: its bound, 0.3 times 4 N/m. Rolled by 1 um: the moment is at its
- * bound, R_eff mu_r P, against the way it rolls. The second law is none. */
+/* A spring of 1 GPa slides by 0.1 nm: 0.1 N/m. Back by a metre: its bound, 0.3 times 4 N/m. Rolled by 1 um: the
+ * moment is at its bound, R_eff mu_r P, against the way it rolls. The second law is none. */
 static void each_law_at_the_end_of_each_segment(void **state) {
     (void)state;
     static const char *const checks[] = {"Q, segment: 0",
@@ -113,8 +113,9 @@ static void the_inside_has_four_columns_more(void **state) {
     assert_close(measured(5), Q, 1e-9, 0); /* the sum over 100 elements */
 }
 
-/* [Carter1926]: the creepage at Q = mu P/2 is (mu a/R_star) (1 - sqrt(1/2)), and 2 a sqrt(1/2) sticks. The solver of that name has
- * it exactly, but for the element in which the edge of stick falls. Rolled back it has the sign of Q still. */
+/* [Carter1926]: the creepage at Q = mu P/2 is (mu a/R_star) (1 - sqrt(1/2)), and 2 a sqrt(1/2) sticks. The solver
+ * of that name has it exactly, but for the element in which the edge of stick falls. Rolled back it has the sign
+ * of Q still. */
 static void creepage_is_that_of_carter(void **state) {
     (void)state;
     static const char *const checks[] = {"creepage, segment: 0", "creepage", "stick"};

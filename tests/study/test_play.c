@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Two disks glide on a floor at 1 and 3 m/s, without spin: V_s of their contacts, -1 and -3 m/s (a wall is body 1 and stands
- * still). A third is above the floor. */
+/* Two disks glide on a floor at 1 and 3 m/s, without spin: V_s of their contacts, -1 and -3 m/s (a wall is body 1
+ * and stands still). A third is above the floor. */
 static const char scene_text[] =
     "kind: bodies\ntime_end: 0.1 s\nstep: {dt: 0.01}\ncontact: {k_n: 1 MPa, mu: 0, mu_r: 0}\n"
     "disks: [{radius: 1, x: 0, y: 0.999, vx: 1, motion: prescribed}, "

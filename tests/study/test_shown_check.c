@@ -13,8 +13,13 @@ static void every_power_is_shown_in_watts(void **state) {
         if (strcmp(tr_whats[i].unit, "N/s|J/s") != 0) continue;
         tr_scene_check check = {.what = i, .exact = 3, .tolerance = 1};
         tr_scene scene = {.n_disks = 1, .time_end = 1};
-        tr_check_result r = {.lane = "", .shape = TR_SHAPE_DISK, .check = &check, .what = tr_whats[i].name,
-                             .unit = tr_whats[i].unit, .measured = 3, .ok = true};
+        tr_check_result r = {.lane = "",
+                             .shape = TR_SHAPE_DISK,
+                             .check = &check,
+                             .what = tr_whats[i].name,
+                             .unit = tr_whats[i].unit,
+                             .measured = 3,
+                             .ok = true};
         assert_string_equal(tr_run_shown_check(&r, &scene, false).exact, "3 W/m");
         r.shape = TR_SHAPE_SPHERE;
         assert_string_equal(tr_run_shown_check(&r, &scene, false).exact, "3 W");
