@@ -46,7 +46,7 @@ _trundle() {
         ;;
     sweep:* | bench:* | converge:*) _trundle_files "$word" '*.yaml' ;;
     measures:* | identify:*) _trundle_files "$word" '*.csv' ;;
-    replay:*) _trundle_files "$word" '*/' ;;
+    replay:* | convert:*) _trundle_files "$word" '*/' ;;
     laws:*) _trundle_offer "$word" < <("$program" laws | sed -n 's/^  \([^ ]*\) .*/\1/p' | sort -u) ;;
     verify:*) _trundle_offer "$word" < <("$program" verify --list | awk '{print $1; print $2}' | sort -u) ;;
     esac

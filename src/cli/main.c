@@ -11,7 +11,7 @@
 /* argv[0] is the command's name; each returns the exit code. */
 typedef int tr_command(int argc, char **argv);
 tr_command tr_cli_run, tr_cli_sweep, tr_cli_converge, tr_cli_replay, tr_cli_laws, tr_cli_bench, tr_cli_measures,
-    tr_cli_identify, tr_cli_verify;
+    tr_cli_identify, tr_cli_convert, tr_cli_verify;
 
 static const struct command {
     const char *name, *doc;
@@ -27,6 +27,7 @@ static const struct command {
     {"bench", "measure the speed of the contact loop on a sheared sample", tr_cli_bench},
     {"measures", "rolling and sliding by every definition: a card of pure motions, or a CSV file", tr_cli_measures},
     {"identify", "name the definitions behind another code's numbers, and what they break", tr_cli_identify},
+    {"convert", "disks and contacts of a finished run for LAMMPS, extended XYZ or VTK", tr_cli_convert},
     {"verify", "compare numbers with closed forms and independent solvers: exact, precision, stability", tr_cli_verify},
 };
 enum { N_COMMANDS = sizeof commands / sizeof *commands };

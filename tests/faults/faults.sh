@@ -37,6 +37,7 @@ replay|memory|replay run -n 3 -j 1 -o out
 card|memory|measures -o out/card.csv
 measures|memory|measures card.csv -o out/by-card.csv
 motions|memory|measures --card out/motions.csv
+convert|memory|convert run --to vtk -o out
 identify|memory|identify answers.csv -o out/found.csv
 verify|memory|verify pure-motions -o out
 laws|memory|laws
@@ -151,6 +152,7 @@ prepare() {
     replaced) quietly run biaxial.yaml -o out --set seed=4 ;;
     sampled) quietly run biaxial.yaml -o first --sample packing.bin ;;
     replay) quietly run hertz.yaml -o run ;;
+    convert) quietly run biaxial.yaml -o run ;;
     measures) quietly measures -o card.csv ;;
     esac
     rm -f stdout stderr
