@@ -20,5 +20,7 @@ bool tr_cli_bench_case(const tr_bench_arguments *a, const char *const *more, int
                                       tr_laws_catalog(), st);
     if (ok && scene->kind != TR_KIND_BIAXIAL)
         ok = tr_status_fail(st, TR_BAD_CASE, "error: bench needs a case of kind: biaxial");
+    if (ok && *scene->sample.file)
+        ok = tr_status_fail(st, TR_BAD_CASE, "error: bench throws its samples; sample.file is for trundle run");
     return ok;
 }

@@ -10,6 +10,7 @@
 #include "laws/law.h"
 #include "scene/keys.h"
 #include "study/run.h"
+#include "study/sample_file.h"
 #include <argp.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -143,6 +144,7 @@ static int run(const arguments *a) {
         tr_status_fail(&st, TR_BAD_CASE, "error: --sample needs a case of kind: biaxial; %s has another kind", a->file);
         return tr_cli_fail(&st);
     }
+    if (!tr_sample_file_read(&scene, &st)) return tr_scene_free(&scene), tr_cli_fail(&st);
     char name[256], dir[300];
     tr_cli_name(a->file, name, sizeof name);
     snprintf(dir, sizeof dir, "out/%s", name);

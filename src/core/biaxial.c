@@ -113,7 +113,7 @@ static bool check_reach(const tr_biaxial *b, double dense, tr_status *st) {
 }
 
 bool tr_biaxial_init(tr_biaxial *b, const tr_scene *scene, tr_status *st) {
-    double side, radius_sum = 0, mass = 0;
+    double side[2], radius_sum = 0, mass = 0;
     int n = scene->sample.disks;
     *b = (tr_biaxial){.scene = scene};
     const tr_scene_law *friction = &scene->contact.friction;
@@ -123,8 +123,11 @@ bool tr_biaxial_init(tr_biaxial *b, const tr_scene *scene, tr_status *st) {
             "error: compaction.mu = %g needs a friction law with a coefficient mu, not contact.friction: %s",
             scene->compaction.mu, tr_laws_friction[friction->law]->table.name);
     if (!tr_world_init(&b->world, n, scene->shape, st)) return false;
-    if (!tr_sample_throw(&b->world, &scene->sample, scene->boundary == TR_PERIODIC, scene->seed, &side, st))
-        return tr_biaxial_free(b), false;
+    bool placed = *scene->sample.file
+                      ? tr_sample_place(&b->world, &scene->sample, side, st)
+                      : tr_sample_throw(&b->world, &scene->sample, scene->boundary == TR_PERIODIC, scene->seed, side, st);
+    if (!placed) return tr_biaxial_free(b), false;
+    if (!*scene->sample.file) side[1] = side[0];
     b->disk_area = tr_measures_disk_area(&b->world.disks);
     for (int i = 0; i < n; i++) mass += b->world.disks.mass[i], radius_sum += b->world.disks.pos[4 * (size_t)i + 3];
     b->mean_mass = mass / n, b->mean_radius = radius_sum / n;
@@ -132,7 +135,7 @@ bool tr_biaxial_init(tr_biaxial *b, const tr_scene *scene, tr_status *st) {
     /* side of the dense sample, for the mass of a row of disks and for the speed of an inertial number */
     double dense = sqrt(b->disk_area * 1.2), row = b->mean_mass * fmax(1, dense / (2 * b->mean_radius));
     double v_max = 0.5 * dense * scene->compaction.inertial_number * sqrt(scene->compaction.pressure / b->mean_mass);
-    tr_wall walls[4] = {{.ny = 1}, {.y = side, .ny = -1}, {.nx = 1}, {.x = side, .nx = -1}};
+    tr_wall walls[4] = {{.ny = 1}, {.y = side[1], .ny = -1}, {.nx = 1}, {.x = side[0], .nx = -1}};
     b->world.boxed = scene->boundary != TR_PERIODIC;
     b->world.n_walls = b->world.boxed ? 4 : 0;
     b->row_mass = row;
@@ -142,7 +145,7 @@ bool tr_biaxial_init(tr_biaxial *b, const tr_scene *scene, tr_status *st) {
         b->world.wall[w] = walls[w];
     }
     if (scene->boundary == TR_PERIODIC) /* each side stands for two walls */
-        b->world.cell = (tr_periodic_cell){.side = {side, side}, .mass = {row, row}, .v_max = {2 * v_max, 2 * v_max}};
+        b->world.cell = (tr_periodic_cell){.side = {side[0], side[1]}, .mass = {row, row}, .v_max = {2 * v_max, 2 * v_max}};
     tr_scene_contact laws = tr_biaxial_compaction_laws(scene);
     double bound;
     const tr_scene_step step = {.safety = COMPACTION_SAFETY};

@@ -99,6 +99,14 @@ static bool fill(grid *g, double *pos, int n, double L, tr_random *random) {
     return true;
 }
 
+bool tr_sample_place(tr_world *world, const tr_scene_sample *sample, double side[2], tr_status *st) {
+    if (!sample->place)
+        return tr_status_fail(st, TR_BAD_CASE, "error: sample.file = %s has not been read: that is for trundle run",
+                              sample->file);
+    side[0] = sample->side[0], side[1] = sample->side[1];
+    return tr_sample_number(world, sample->place, fmax(side[0], side[1]), sample->density, st);
+}
+
 bool tr_sample_throw(tr_world *world, const tr_scene_sample *sample, bool periodic, uint64_t seed, double *side,
                      tr_status *st) {
     const double wider = 1.25;

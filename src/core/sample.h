@@ -12,6 +12,9 @@
 bool tr_sample_throw(tr_world *world, const tr_scene_sample *sample, bool periodic, uint64_t seed, double *side,
                      tr_status *st);
 
+/* Disks at rest at sample->place, in the box [0, side[0]] x [0, side[1]], which is that of the sample. */
+bool tr_sample_place(tr_world *world, const tr_scene_sample *sample, double side[2], tr_status *st);
+
 /* Disks at rest at pos (n*4: x y . R, in the box [0, side]^2), numbered along a space-filling curve, so that neighbours
  * in place are neighbours in memory: of 40,000 disks a step takes half the time that it takes with random numbers.
  * Small samples keep the order of pos. Numbers do not change during a run; the effect of a long shear on their order is

@@ -258,6 +258,11 @@ static bool cycle(tr_resolver *r, const tr_entry *e, const tr_entry *asker) {
     return fail(r, n > 1 ? way[1] : e, 0, "these keys refer to each other in a circle: %s", text);
 }
 
+/* An empty text is as good as none. */
+static bool is_given(const tr_entry *e) {
+    return e->node && !(e->param->type == TR_TEXT && e->node->type == TR_NODE_VALUE && !*e->node->text);
+}
+
 bool tr_resolve(tr_resolver *r, tr_entry *e, tr_entry *asker) {
     if (e->state == TR_ENTRY_DONE) return true;
     if (e->state == TR_ENTRY_BUSY) return cycle(r, e, asker);
@@ -266,9 +271,9 @@ bool tr_resolve(tr_resolver *r, tr_entry *e, tr_entry *asker) {
     tr_shown name = tr_resolve_name(e->scope, p->key);
     const char *instead = p->type == TR_REAL ? p->choices : NULL;
     const tr_entry *other = instead ? tr_resolve_entry(e->scope, instead) : NULL;
-    if (other && e->node && other->node)
+    if (other && e->node && is_given(other))
         return tr_text_fail(r->st, e->node->mark, "`%s` and `%s` mean the same: give one of them", p->key, instead);
-    if (other && !e->node && (other->node || (!e->fallback && other->fallback))) {
+    if (other && !e->node && (is_given(other) || (!e->fallback && other->fallback && *other->fallback))) {
         *(double *)e->value = NAN;
         e->state = TR_ENTRY_DONE;
         return true;

@@ -119,6 +119,7 @@ void tr_scene_free(tr_scene *scene) {
     free(scene->laws);
     free(scene->path);
     free(scene->path_file);
+    free(scene->sample.place);
     free(scene->checks);
     for (int i = 0; i < scene->n_more; i++) tr_scene_free(&scene->more[i]);
     free(scene->more);

@@ -85,11 +85,18 @@ static const tr_param lesson[] = {
 
 #define STRUCT tr_scene_sample
 static const tr_param sample[] = {
-    {"disks", TR_COUNT, TR_DIM_NUMBER, "", "400", 2, 1e7, NULL, AT(disks), "number of disks"},
-    {"r_min", TR_REAL, TR_DIM_LENGTH, "m", NULL, 1e-9, 1e3, NULL, AT(r_min),
+    {"disks", TR_COUNT, TR_DIM_NUMBER, "", "400", 2, 1e7, NULL, AT(disks), "number of disks; with file: the number of its rows"},
+    {"r_min", TR_REAL, TR_DIM_LENGTH, "m", NULL, 1e-9, 1e3, "file", AT(r_min),
      "smallest radius; radii are uniform from r_min to r_max"},
-    {"r_max", TR_REAL, TR_DIM_LENGTH, "m", NULL, 1e-9, 1e3, NULL, AT(r_max), "largest radius"},
+    {"r_max", TR_REAL, TR_DIM_LENGTH, "m", NULL, 1e-9, 1e3, "file", AT(r_max), "largest radius"},
     {"density", TR_REAL, TR_DIM_DENSITY, "kg/m^3", "2700", 1e-3, 1e6, NULL, AT(density), "density of the disks"},
+    {"file", TR_TEXT, TR_DIM_NUMBER, "", "", 0, sizeof((STRUCT *)0)->file, NULL, AT(file),
+     "a packing to begin with, in place of r_min and r_max: CSV with columns x, y, r [m], or a dump of LAMMPS"},
+    {"file_hash", TR_SEED, TR_DIM_NUMBER, "", "0", 0, 0, NULL, AT(file_hash),
+     "what the file held when it was read; 0: not known. Another file is refused"},
+    {"width", TR_REAL, TR_DIM_LENGTH, "m", "0", 0, 1e6, NULL, AT(width),
+     "of the box of the file, from x = 0; 0: that of the dump, or around the disks"},
+    {"height", TR_REAL, TR_DIM_LENGTH, "m", "0", 0, 1e6, NULL, AT(height), "the same from y = 0"},
 };
 #undef STRUCT
 

@@ -18,7 +18,8 @@ void tr_run_remove_checkpoint(const char *dir, tr_run_report *report) {
 /* For all files that the run reads. */
 static bool spare_inputs(const tr_scene *scene, const tr_run_options *o, tr_status *st) {
     return tr_made_spare(o->dir, o->case_file, st) && tr_made_spare(o->dir, o->sample, st) &&
-           tr_made_spare(o->dir, scene->path_file, st);
+           tr_made_spare(o->dir, scene->path_file, st) &&
+           tr_made_spare(o->dir, *scene->sample.file ? scene->sample.file : NULL, st);
 }
 
 bool tr_run_open(const tr_scene *scene, const tr_run_options *options, tr_checkpoint *c, tr_run_report *report,

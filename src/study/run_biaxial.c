@@ -163,7 +163,7 @@ tr_view tr_run_biaxial_view(const tr_biaxial *b, char title[TR_RUN_TITLE]) {
     double spread = 0.5 * width * 1.1 / (1 - b->scene->shear.strain_end); /* constant volume, plus a tenth for
                                                                            * dilation */
     double arrows = 0.08 * width;                                         /* room for those of the driven walls */
-    double d = sample->r_min + sample->r_max, speed = 4 * b->rate * d;
+    double d = *sample->file ? 2 * b->mean_radius : sample->r_min + sample->r_max, speed = 4 * b->rate * d;
     tr_record typical = {.v_s = speed, .v_r = speed};
     /* Rigid blocks would turn by about the strain, disks on either side of a slip line by a multiple of it. */
     double turn = fmax(1, round(18 * b->scene->shear.strain_end)) * 10 * M_PI / 180;

@@ -101,8 +101,10 @@ static const item *elsewhere(const tr_biaxial *b, item *list) {
         {"contact.normal", linear, 1},
         {"contact.rolling", spring, 1},
         {"contact.rolling_velocity", rolls ? s->contact.rolling_velocity : 0, 0},
+        {"contact.arms", s->contact.arms, 0},
+        {"sample.file", *s->sample.file != 0, 0},
         {"contact.creep_roll", creep_roll ? *creep_roll : 1, 1}, /* wang */
-        {"sample.r_max/sample.r_min", s->sample.r_max / s->sample.r_min, 2},
+        {"sample.r_max/sample.r_min", *s->sample.file ? 2 : s->sample.r_max / s->sample.r_min, 2},
         {"contact.k_n/compaction.pressure", k_n / s->compaction.pressure, 1000},
         {"shear.lateral_pressure/compaction.pressure", s->shear.lateral_pressure / s->compaction.pressure, 1},
         {"contact.damping_ratio", law_value(normal, "damping_ratio"), 0.3},

@@ -108,7 +108,7 @@ static const bad_case rows[] = {
      "a.yaml:5:18: error: `maybe` is not a choice for `energy`; allowed is yes | no\noutput: {energy: maybe}\n         "
      "        ^"},
     {"kind: biaxial\ncontact: {k_n: 1}\ncompaction: {pressure: 1}\nsample:\n  r_min: 1 mm\n", 0, NULL,
-     "a.yaml:5:3: error: `sample.r_max` is missing: largest radius [m]\n  r_min: 1 mm\n  ^"},
+     "a.yaml:5:3: error: `sample.r_max` is missing: largest radius [m]; or give file\n  r_min: 1 mm\n  ^"},
     {"kind: biaxial\nsample: {r_min: 1, r_max: 1}\ncontact: {k_n: 1}\n", 0, NULL,
      "a.yaml:3:18: error: `compaction.pressure` is missing: pressure on all four walls [Pa]\ncontact: {k_n: 1}\n       "
      "          ^"},
