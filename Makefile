@@ -35,7 +35,7 @@ LIB_OBJ  := $(LIB_SRC:%=$(BUILD)/%.o) $(BUILD)/src/base/math.o
 CLI_OBJ  := $(CLI_SRC:%=$(BUILD)/%.o)
 TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all live biaxial creep definitions figures wang kuhn kuhn-film bands replay spread features bench bench-peers demos gallery man install-man manual verify test mutate faults random test-slurm install asan tsan fuzz lint format clean help packages-% build-all build-faults build-random run-demos run-install run-tests run-tsan
+.PHONY: all live biaxial creep definitions figures wang kuhn kuhn-film bands replay spread features bench bench-peers interop demos gallery man install-man manual verify test mutate faults random test-slurm install asan tsan fuzz lint format clean help packages-% build-all build-faults build-random run-demos run-install run-tests run-tsan
 .SECONDARY:
 
 all: packages-build ## builds ./trundle (make without a target)
@@ -116,6 +116,11 @@ bench-peers: packages-build ## the same packing here and in LAMMPS, if that is i
 	@$(MAKE) --no-print-directory build-all
 	@mkdir -p out/figures
 	tests/bench/peers.sh ./trundle out/figures/peers.csv
+
+# LAMMPS and LIGGGHTS are not installed for it.
+interop: packages-build ## what other codes compute that are installed (LAMMPS, LIGGGHTS): out/interop/ (half a minute)
+	@$(MAKE) --no-print-directory build-all
+	tests/interop/interop.sh ./trundle out/interop
 
 # What fails does not keep the others away, and is tried again the next time.
 demos: packages-build ## all cases of a few bodies into out/demos/, those that have changed

@@ -33,6 +33,8 @@ LEVER(second, R2)
 LEVER(sum, wall ? NAN : R1 + R2)
 LEVER(distance, wall ? NAN : L)
 LEVER(middle, wall ? R2 - (R2 - L) : (R1 - OVERLAP / 2) * (R2 - OVERLAP / 2) / L)
+LEVER(stretched_at_wall, wall ? R2 *(R2 + L) / (2 * L) : NAN)
+LEVER(half_at_wall, wall ? (R2 + L) / 2 : NAN)
 LEVER(shared, wall ? NAN : R1 *R2 *L / ((R1 + R2) * (R1 + R2)))
 
 const tr_lever tr_levers[] = {
@@ -49,6 +51,8 @@ const tr_lever tr_levers[] = {
     {"|X21|", distance},
     {"(R1-overlap/2)(R2-overlap/2)/|X21|", middle},
     {"R1R2|X21|/(R1+R2)^2", shared},
+    {"R2 - overlap/2", half_at_wall},
+    {"R2 (R2-overlap/2)/|X21|", stretched_at_wall},
 };
 const int tr_n_levers = sizeof tr_levers / sizeof *tr_levers;
 
@@ -73,7 +77,8 @@ typedef struct seen {
 typedef struct extra {
     const char *name, *formula;
     bool angle;
-    double (*of)(const seen *m);
+    double (*of)(const seen *m);      /* of two disks; NULL: not there */
+    double (*at_wall)(const seen *m); /* the same */
 } extra;
 
 #define EXTRA(function, expression)                                                                                    \
@@ -92,6 +97,8 @@ EXTRA(against_spins, m->Vt - m->R1 * m->w1 - m->R2 * m->w2)
 EXTRA(unlike_spins, m->Vt + m->R1 * m->w1 - m->R2 * m->w2)
 EXTRA(twice_shared, m->Vt + 2 * m->L / (m->R1 + m->R2) * (m->R1 * m->w1 + m->R2 * m->w2))
 EXTRA(twice_midpoint, m->Vt + (2 * m->R1 - m->lost) * m->w1 + (2 * m->R2 - m->lost) * m->w2)
+EXTRA(wall_half, m->Vt + (m->R2 - m->lost) * m->w2)
+EXTRA(wall_half_arm, m->R2 - m->lost)
 EXTRA(twice_1, 2 * m->R1 - m->lost)
 EXTRA(twice_2, 2 * m->R2 - m->lost)
 EXTRA(whole_overlap_1, m->R1 - (m->R1 + m->R2 - m->L))
@@ -99,30 +106,33 @@ EXTRA(whole_overlap_2, m->R2 - (m->R1 + m->R2 - m->L))
 EXTRA(half_1, m->L / 2)
 
 static const extra rolling_extras[] = {
-    {"spins of the rims", "(R1 w1 - R2 w2)/2, without the spin of the line of centres", false, rims},
-    {"rim 1", "s1", false, rim_1},
-    {"rim 2", "s2", false, rim_2},
-    {"w1 alone", "w1", true, only_w1},
-    {"w2 alone", "-w2", true, only_w2},
-    {"w1+w2", "w1+w2", true, spin_sum},
+    {"spins of the rims", "(R1 w1 - R2 w2)/2, without the spin of the line of centres", false, rims, NULL},
+    {"rim 1", "s1", false, rim_1, NULL},
+    {"rim 2", "s2", false, rim_2, NULL},
+    {"w1 alone", "w1", true, only_w1, NULL},
+    {"w2 alone", "-w2", true, only_w2, NULL},
+    {"w1+w2", "w1+w2", true, spin_sum, NULL},
 };
 static const extra sliding_extras[] = {
-    {"translation alone", "Vt, without the spins", false, only_Vt},
-    {"spins alone", "R1 w1 + R2 w2, without the translation", false, only_spins},
-    {"spins taken off", "Vt - R1 w1 - R2 w2", false, against_spins},
-    {"spins unlike", "Vt + R1 w1 - R2 w2", false, unlike_spins},
-    {"wang, diameters for radii in the arms", "Vt + 2 (r1 w1 + r2 w2)", false, twice_shared},
+    {"translation alone", "Vt, without the spins", false, only_Vt, NULL},
+    {"spins alone", "R1 w1 + R2 w2, without the translation", false, only_spins, NULL},
+    {"spins taken off", "Vt - R1 w1 - R2 w2", false, against_spins, NULL},
+    {"spins unlike", "Vt + R1 w1 - R2 w2", false, unlike_spins, NULL},
+    {"wang, diameters for radii in the arms", "Vt + 2 (r1 w1 + r2 w2)", false, twice_shared, NULL},
     {"midpoint, diameters for radii in the arms", "Vt + (2R1 - overlap/2) w1 + (2R2 - overlap/2) w2", false,
-     twice_midpoint},
+     twice_midpoint, NULL},
+    {"half of the overlap", "Vt + (R2 - overlap/2) w2", false, NULL, wall_half},
 };
-enum { ARM_EXTRAS = 3 };
+enum { ARM_EXTRAS = 4 };
 static const extra arm_extras[2][ARM_EXTRAS] = {
-    {{"R_i - overlap", "R_i - overlap", false, whole_overlap_1},
-     {"|X21|/2", "|X21|/2", false, half_1},
-     {"midpoint, diameters for radii", "2R_i - overlap/2", false, twice_1}},
-    {{"R_i - overlap", "R_i - overlap", false, whole_overlap_2},
-     {"|X21|/2", "|X21|/2", false, half_1},
-     {"midpoint, diameters for radii", "2R_i - overlap/2", false, twice_2}},
+    {{"R_i - overlap", "R_i - overlap", false, whole_overlap_1, NULL},
+     {"|X21|/2", "|X21|/2", false, half_1, NULL},
+     {"midpoint, diameters for radii", "2R_i - overlap/2", false, twice_1, NULL},
+     {"half of the overlap", "R2 - overlap/2", false, NULL, NULL}},
+    {{"R_i - overlap", "R_i - overlap", false, whole_overlap_2, NULL},
+     {"|X21|/2", "|X21|/2", false, half_1, NULL},
+     {"midpoint, diameters for radii", "2R_i - overlap/2", false, twice_2, NULL},
+     {"half of the overlap", "R2 - overlap/2", false, NULL, wall_half_arm}},
 };
 enum { ARMS_ALONE = 3 }; /* rows of tr_arms_rows whose torque arms differ */
 
@@ -140,7 +150,7 @@ int tr_forms_definitions(tr_family f) {
 }
 
 static const extra *extra_of(tr_family f, int k) {
-    static const extra one = {"", "", false, NULL}; /* of a cap, which is its lever */
+    static const extra one = {"", "", false, NULL, NULL}; /* of a cap, which is its lever */
     k -= from_table(f);
     return f == TR_FAMILY_ROLLING   ? &rolling_extras[k]
            : f == TR_FAMILY_SLIDING ? &sliding_extras[k]
@@ -220,10 +230,13 @@ static double definition_value(const tr_form *form, const tr_states *s, int i) {
                : form->family == TR_FAMILY_ARM_1   ? m->arms[k].r1
                                                    : m->arms[k].r2;
     tr_motion of = with_radii(s->motion[i], form->radii);
-    if (isinf(of.R1)) return NAN;
-    double L = s->length[i], lost = 0.5 * (s->motion[i].R1 + s->motion[i].R2 - L);
+    const extra *extra = extra_of(form->family, k);
+    bool wall = isinf(of.R1);
+    if (wall ? !extra->at_wall : !extra->of) return NAN;
+    if (wall) of.R1 = 0, of.w2 -= of.w1, of.w1 = 0; /* as the wall sees it */
+    double L = s->length[i], lost = 0.5 * ((wall ? 0 : s->motion[i].R1) + s->motion[i].R2 - L);
     const seen seen = {of.R1, of.R2, of.w1, of.w2, m->Vt, L, m->s1, m->s2, lost};
-    return extra_of(form->family, k)->of(&seen);
+    return (wall ? extra->at_wall : extra->of)(&seen);
 }
 
 double tr_forms_value(const tr_form *form, const tr_states *s, int i) {

@@ -261,9 +261,9 @@ static void each_mistake_is_named(void **state) {
 
 typedef struct made_code {
     const char *name;
-    double slide,
-        turn;   /* what of half the overlap (at a wall: of all) the arms lack, of the velocity and of the torque */
-    double F_t; /* sign of friction */
+    double at_wall;     /* 2: there the arms lack all of the overlap, 1: half of it */
+    double slide, turn; /* what of half the overlap the arms lack, of the velocity and of the torque */
+    double F_t;         /* sign of friction */
     bool good;
     const char *words;
 } made_code;
@@ -276,7 +276,7 @@ static void run_card(const made_code *c, FILE *out) {
         const tr_card_row *r = &row[i];
         const tr_motion *m = &r->motion;
         bool wall = isinf(m->R1);
-        double dx = m->x2x - m->x1x, dy = m->x2y - m->x1y, L = hypot(dx, dy), d = r->overlap * (wall ? 2 : 1);
+        double dx = m->x2x - m->x1x, dy = m->x2y - m->x1y, L = hypot(dx, dy), d = r->overlap * (wall ? c->at_wall : 1);
         double Vt = ((m->v2x - m->v1x) * dy - (m->v2y - m->v1y) * dx) / L, R1 = wall ? 0 : m->R1;
         double R_eff = wall ? m->R2 : R1 * m->R2 / (R1 + m->R2), F_n = r->k_n * r->overlap;
         double V_s = Vt + m->R2 * m->w2 + R1 * m->w1 - c->slide * d / 2 * (wall ? m->w2 : m->w1 + m->w2);
@@ -292,14 +292,16 @@ static void run_card(const made_code *c, FILE *out) {
 static void a_code_that_runs_the_card_is_named(void **state) {
     (void)state;
     static const made_code codes[] = {
-        {"midpoint arms", 1, 1, 1, true,
+        {"midpoint arms", 2, 1, 1, 1, true,
          "good: objective: yes, balanced: yes, conjugate: yes|M1             wang, lever R_eff|cap 2          "
          "R_eff|F_t            "
          "midpoint|arm 1          midpoint|F_t at wall    midpoint|arm 2 at wall  midpoint"},
-        {"full radii in the velocity", 0, 1, 1, false,
+        {"full radii in the velocity", 2, 0, 1, 1, false,
          "F_t            full-radius|arm 2          midpoint|LAMMPS 29Sep2021|at a wall: velocity wang"},
-        {"full radii", 0, 0, 1, false, "arm 1          full|not balanced|not objective when disks overlap"},
-        {"friction that drives", 1, 1, -1, false, "F_t drives the sliding"},
+        {"half of the overlap at walls", 1, 1, 1, 1, true,
+         "F_t at wall    half of the overlap|arm 2 at wall  half of the overlap"},
+        {"full radii", 2, 0, 0, 1, false, "arm 1          full|not balanced|not objective when disks overlap"},
+        {"friction that drives", 2, 1, 1, -1, false, "F_t drives the sliding"},
     };
     for (int k = 0; k < (int)(sizeof codes / sizeof *codes); k++) {
         char path[] = "/tmp/trundle-identify-XXXXXX";
