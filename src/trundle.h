@@ -63,7 +63,7 @@ typedef struct trundle_disk {
     double x, y, angle;    /* [m, rad] */
     double vx, vy, spin;   /* of the same instant [m/s, rad/s] */
     double fx, fy, torque; /* of contacts, weight and given torque */
-    double radius, mass;   /* [m, kg/m] */
+    double radius, mass;   /* [m, kg/m]; radius < 0: a ring, and -radius its inside */
 } trundle_disk;
 
 typedef struct trundle_touch { /* a touching contact */
@@ -111,8 +111,8 @@ TRUNDLE_API int trundle_world_set_velocity(trundle_world *world, int i, double v
  * can only be read and freed. */
 TRUNDLE_API int trundle_world_change_laws(trundle_world *world, const trundle_scene *scene, trundle_error *error);
 
-/* The touching contacts, sorted by (a, b), disk-disk first. Returns how many there are, and writes the first `room` of
- * them. -1: memory is short. touch may be NULL if room is 0. */
+/* The touching contacts, those of two disks first, then of walls, then of rings, each sorted by (a, b). Returns how many
+ * there are, and writes the first `room` of them. -1: memory is short. touch may be NULL if room is 0. */
 TRUNDLE_API int trundle_world_contacts(trundle_world *world, trundle_touch *touch, int room, trundle_error *error);
 
 /* kind: biaxial, else TRUNDLE_BAD_CASE. */
@@ -167,7 +167,8 @@ TRUNDLE_API int trundle_definition_count(trundle_velocity kind);
 TRUNDLE_API const char *trundle_definition_name(trundle_velocity kind, int i);
 
 /* Definition i of two disks that move like this [m/s; an angle by author: rad/s]. R1 = INFINITY: body 1 is a plane through
- * (x, y) of one, that turns with its spin; its normal points at the centre of two. NaN if there is no such definition, or
+ * (x, y) of one, that turns with its spin; its normal points at the centre of two. R1 < 0: body 1 is a ring of the inner radius
+ * -R1 around body 2. NaN if there is no such definition, or
  * the centres coincide. */
 TRUNDLE_API double trundle_definition_value(trundle_velocity kind, int i, double R1, double R2, const trundle_body *one,
                                             const trundle_body *two);

@@ -41,10 +41,10 @@ double trundle_definition_value(trundle_velocity kind, int i, double R1, double 
     const tr_velocity_measure *m = row(kind, i);
     const bool plane = isinf(R1);
     const double arm = plane ? 0 : R1, g1 = plane ? 1 : R1 / (R1 + R2);
-    if (!m || !(tr_hypot(two->x - one->x, two->y - one->y) > 0) || !(R1 > 0) || !(R2 > 0)) return NAN;
+    if (!m || !(tr_hypot(two->x - one->x, two->y - one->y) > 0) || !(R2 > 0) || !(R1 > 0 || R1 < -R2)) return NAN;
     tr_tile tile = {.n = 1, .R1 = &arm, .R2 = &R2, .g1 = &g1};
     (plane ? gather_plane : gather_disks)(&tile, one, two);
-    (plane ? tr_kinematics_wall : tr_kinematics_pair)(&tile, NULL);
+    (plane ? tr_kinematics_wall : R1 < 0 ? tr_kinematics_ring : tr_kinematics_pair)(&tile, NULL);
     m->step(&tile, NULL);
     return kind == TRUNDLE_ROLLING ? tile.v_r[0] : tile.v_s[0];
 }

@@ -64,6 +64,7 @@ static const char doc[] =
     "  w1,w2                spins, counter-clockwise [rad/s]\n\n"
     "Further columns are ignored and left out of the result. The disks need not touch, but their centres must "
     "differ.\n\n"
+    "A ring around body 2 is body 1 with R1 < 0, minus its inner radius.\n\n"
     "A wall is body 1 with R1 = inf: the plane through x1, the foot of the perpendicular from x2; v1 is the velocity "
     "of "
     "the wall at x1 and w1 its spin. It is measured in the wall's frame; beta_dot is then w1, and lambda_dot, "

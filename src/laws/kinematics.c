@@ -141,7 +141,7 @@ INLINE void set_arms(tr_tile *restrict tile, arms_of *of, wall_arm *of_wall) {
 TR_VECTOR void tr_kinematics_pair(tr_tile *restrict tile, const tr_law_data *data) {
     (void)data, move_pair(tile, shared, 1);
 }
-TR_VECTOR static void ring(tr_tile *restrict tile, const tr_law_data *data) {
+TR_VECTOR void tr_kinematics_ring(tr_tile *restrict tile, const tr_law_data *data) {
     (void)data, move_pair(tile, shared, -1);
 }
 TR_VECTOR void tr_kinematics_wall(tr_tile *restrict tile, const tr_law_data *data) {
@@ -178,7 +178,7 @@ enum { ALL = TR_ARMS_OBJECTIVE | TR_ARMS_BALANCED | TR_ARMS_CONJUGATE };
 
 #define IN_SCENES(X)                                                                                                   \
     X("shared", "wang", ALL, "[Wang2015 eq. 12] mended", "R_i |X21|/(R1+R2), at a wall R2", shared_arms,               \
-      tr_kinematics_pair, ring, tr_kinematics_wall, edge)                                                              \
+      tr_kinematics_pair, tr_kinematics_ring, tr_kinematics_wall, edge)                                                \
     X("midpoint", "midpoint", ALL, "[Luding2008]; LIGGGHTS 3.8.0", "R_i - overlap/2, at a wall R2 - overlap",          \
       midpoint_arms, midpoint_pair, midpoint_ring, midpoint_at_wall, midpoint_at_edge)
 #define ONLY_MEASURED(X)                                                                                               \

@@ -30,6 +30,7 @@ extern const tr_arms tr_arms_rows[];
 extern const int tr_n_arms, tr_n_arms_measured;
 
 tr_pass_run tr_kinematics_pair;   /* two disks, shared arms */
+tr_pass_run tr_kinematics_ring;   /* body 1 is a ring around body 2: R1 < 0; shared arms */
 tr_pass_run tr_kinematics_wall;   /* body 1 is a plane: gather writes nx, ny, and the distance of the centre into dx */
 tr_pass_run tr_resultant_central; /* only normal forces: no torque */
 tr_pass_run tr_resultant_full;

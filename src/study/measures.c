@@ -140,16 +140,19 @@ bool tr_measures_motions(const tr_motion *motion, int n, tr_motion_measures *mea
            tr_n_arms_measured <= TR_MOST_ARMS);
     memset(measures, 0, (size_t)n * sizeof *measures);
     b->tile.R1 = b->R1, b->tile.R2 = b->R2, b->tile.g1 = b->g1;
-    for (int wall = 0; wall < 2; wall++) /* as in an assembly: tiles of pairs, then of walls */
+    enum { PAIR, WALL, RING, KINDS };
+    tr_pass_run *const kinematics[KINDS] = {tr_kinematics_pair, tr_kinematics_wall, tr_kinematics_ring};
+    for (int kind = 0; kind < KINDS; kind++) /* as in an assembly, each kind in tiles of its own */
         for (int next = 0; next < n;) {
             int filled = 0;
             for (; next < n && filled < TR_TILE; next++) {
-                if (is_wall(&motion[next]) != wall) continue;
-                (wall ? gather_wall : gather_pair)(b, filled, &motion[next]);
+                const tr_motion *m = &motion[next];
+                if ((is_wall(m) ? WALL : m->R1 < 0 ? RING : PAIR) != kind) continue;
+                (kind == WALL ? gather_wall : gather_pair)(b, filled, m);
                 b->of[filled++] = next;
             }
             b->tile.n = filled;
-            measure_tile(b, wall ? tr_kinematics_wall : tr_kinematics_pair, motion, measures);
+            measure_tile(b, kinematics[kind], motion, measures);
         }
     free(b);
     return true;
@@ -241,9 +244,10 @@ static bool cell(void *context, tr_csv *csv, int column, const char *text, size_
     char show[TR_CSV_SHOWN];
     double v = 0;
     if (!tr_csv_number(csv, to->name, text, radius, &v)) return false;
-    if (radius && !(v > 0))
+    bool ring = column == R1 && v < 0 && isfinite(v);
+    if (radius && !(v > 0) && !ring)
         return tr_csv_fail(csv, csv->line, "%s is %s: a radius must be above 0%s", to->name, tr_csv_show(text, show),
-                           column == R1 ? " (a wall has R1 = inf)" : "");
+                           column == R1 ? " (a wall has R1 = inf, a ring R1 < 0)" : "");
     if (isinf(v) && column == R2) return tr_csv_fail(csv, csv->line, "R2 is inf: only body 1 can be a wall");
     memcpy((char *)&t->motion[t->n] + to->offset, &v, sizeof v);
     return true;
@@ -262,7 +266,10 @@ static bool row(void *context, tr_csv *csv) {
     double distance = tr_hypot(m->x2x - m->x1x, m->x2y - m->x1y);
     if (distance == 0) return tr_csv_fail(csv, line, "x1 and x2 coincide: there is no line of centres");
     if (!in_range(distance)) return tr_csv_fail(csv, line, "x1 and x2 are %.3g m apart: %s", distance, out_of_range);
-    if (!in_range(m->R1) && !is_wall(m)) return tr_csv_fail(csv, line, "R1 is %.3g m: %s", m->R1, out_of_range);
+    if (m->R1 < 0 && !(m->R2 < -m->R1))
+        return tr_csv_fail(csv, line, "a ring of the radius %.6g m (R1 < 0) holds smaller disks only, and R2 is %.6g m",
+                           -m->R1, m->R2);
+    if (!in_range(fabs(m->R1)) && !is_wall(m)) return tr_csv_fail(csv, line, "R1 is %.3g m: %s", m->R1, out_of_range);
     if (!in_range(m->R2)) return tr_csv_fail(csv, line, "R2 is %.3g m: %s", m->R2, out_of_range);
     t->lines[t->n++] = line;
     return t->n < TR_TILE || flush(t, csv);

@@ -4,6 +4,8 @@
  *
  * A measure needs no overlap: any distance of the centres above 0 is enough.
  *
+ * A ring around body 2 is body 1 with R1 = -(its inner radius); n then points from x2 to x1.
+ *
  * A wall is body 1 with R1 = INFINITY: the plane through x1 (the foot of the perpendicular from the disk) with its
  * normal towards x2. It may move (v1, of its material at x1) and turn (w1). All numbers are then as seen from the wall,
  * except beta_dot, which is the spin of its normal, w1; lambda_dot, alpha1_dot and alpha2_dot are the limits for R1 ->
@@ -20,7 +22,7 @@ typedef struct tr_motion {
     double R1, R2, x1x, x1y, x2x, x2y, v1x, v1y, v2x, v2y, w1, w2;
 } tr_motion;
 
-/* Its measures, per unit time. n = X21/|X21|, t = n x k. Velocities [m/s]; beta_dot, lambda_dot, alpha1_dot,
+/* Its measures, per unit time. n = X21/|X21|, in a ring -X21/|X21|, t = n x k. Velocities [m/s]; beta_dot, lambda_dot, alpha1_dot,
  * alpha2_dot and angles [rad/s]. */
 enum { TR_MOST_DEFINITIONS = 24, TR_MOST_ARMS = 8 };
 typedef struct tr_motion_measures {

@@ -256,6 +256,11 @@ static void definitions(void **state) {
     }
     for (int i = 0; i < trundle_definition_count(TRUNDLE_SLIDING); i++)
         assert_close(trundle_definition_value(TRUNDLE_SLIDING, i, 1, 3, &one, &gear), 0, 0, 1e-12);
+    /* in a ring that stands, the disk rolls: at the contact, 4 m from the ring's centre, its material rests */
+    trundle_body ring = {0}, in = {.x = 3, .vy = 3, .spin = -3};
+    assert_close(trundle_definition_value(TRUNDLE_SLIDING, 0, -4, 1, &ring, &in), 0, 0, 1e-12);
+    assert_close(trundle_definition_value(TRUNDLE_ROLLING, 0, -4, 1, &ring, &in), 4, 1e-12, 0); /* 1 rad/s of 4 m */
+    assert_true(isnan(trundle_definition_value(TRUNDLE_ROLLING, 0, -1, 1, &ring, &in)));
     assert_true(isnan(trundle_definition_value(TRUNDLE_ROLLING, 99, 1, 3, &one, &gear)));
     assert_true(isnan(trundle_definition_value(TRUNDLE_ROLLING, 0, 1, 3, &one, &one)));
 }

@@ -105,9 +105,8 @@ static void test_walls_by_hand(void **state) {
     check_all(m, e, 10 * TIGHT);
 }
 
-/* A wall is what a pair becomes for R1 -> inf: the error falls as 1/R1. */
-static void test_wall_is_the_limit(void **state) {
-    (void)state;
+/* A wall is what a pair becomes for R1 -> inf, side 1, and a ring for R1 -> -inf, side -1: the error falls as 1/R1. */
+static void look_at_limit(double side) {
     tr_motion wall = {
         .R1 = INFINITY, .R2 = 0.5, .x2x = 0.3, .x2y = 0.4, .v1x = 0.1, .v2x = 0.4, .v2y = -0.2, .w1 = 0.3, .w2 = -0.8};
     double nx = 0.6, ny = 0.8; /* touching: the arms have no say */
@@ -115,15 +114,20 @@ static void test_wall_is_the_limit(void **state) {
     double error[2] = {0, 0};
     for (int k = 0; k < 2; k++) {
         tr_motion pair = wall;
-        double R1 = pair.R1 = k ? 1e5 : 1e4;
+        double R1 = pair.R1 = side * (k ? 1e5 : 1e4);
         pair.x1x = -R1 * nx, pair.x1y = -R1 * ny;
         pair.v1x = wall.v1x + wall.w1 * R1 * ny, pair.v1y = wall.v1y - wall.w1 * R1 * nx;
         tr_motion_measures r = of(pair);
         for (int j = 0; j < tr_measures_columns(); j++) /* V_t alone is as the wall sees it: the pair's grows with R1 */
             if (strcmp(tr_measures_column_of(j).name, "Vt")) error[k] = fmax(error[k], fabs(at(&r, j) - at(&limit, j)));
     }
-    print_message("pair less wall: %.3g at R1 = 1e4, %.3g at 1e5\n", error[0], error[1]);
+    print_message("%s less wall: %.3g at R1 = 1e4, %.3g at 1e5\n", side < 0 ? "ring" : "pair", error[0], error[1]);
     assert_true(error[0] < 1e-3 && error[1] < 0.11 * error[0]);
+}
+
+static void test_wall_is_the_limit(void **state) {
+    (void)state;
+    look_at_limit(1), look_at_limit(-1);
 }
 
 /* ---- any motion, by definitions in another form */
@@ -457,10 +461,12 @@ static void test_bad_input(void **state) {
         {HEADER "\na,2,1,0,0,3,0,0,0,0,,0.5,0\n", ":2: error: v2y is empty"},
         {HEADER "\na,2,1,0,0,3,0,0,0,0,inf,0.5,0\n", ":2: error: v2y is inf: it must be finite"},
         {HEADER "\na,2,1,0,0,3,0,0,0,0,1e999,0.5,0\n", ":2: error: v2y is 1e999, which is too large"},
-        {HEADER "\na,0,1,0,0,3,0,0,0,0,0,0,0\n", ":2: error: R1 is 0: a radius must be above 0 (a wall has R1 = inf)"},
-        {HEADER "\na,-inf,1,0,0,3,0,0,0,0,0,0,0\n", ":2: error: R1 is -inf: a radius must be above 0 (a wall has R1 = inf)"},
+        {HEADER "\na,0,1,0,0,3,0,0,0,0,0,0,0\n", ":2: error: R1 is 0: a radius must be above 0 (a wall has R1 = inf, a ring R1 < 0)"},
+        {HEADER "\na,-inf,1,0,0,3,0,0,0,0,0,0,0\n", ":2: error: R1 is -inf: a radius must be above 0 (a wall has R1 = inf, a ring R1 < 0)"},
         {HEADER "\na,1,-1,0,0,3,0,0,0,0,0,0,0\n", ":2: error: R2 is -1: a radius must be above 0"},
         {HEADER "\na,1,inf,0,0,3,0,0,0,0,0,0,0\n", ":2: error: R2 is inf: only body 1 can be a wall"},
+        {HEADER "\na,-1,2,0,0,3,0,0,0,0,0,0,0\n",
+         ":2: error: a ring of the radius 1 m (R1 < 0) holds smaller disks only, and R2 is 2 m"},
         {HEADER "\r\n" ROW "\r\na,1,1,3,4,3,4,0,0,0,0,0,0\r\n",
          ":3: error: x1 and x2 coincide: there is no line of centres"},
         {HEADER "\na,1,1,0,0,1e-170,0,0,0,0,0,0,0\n",
