@@ -83,7 +83,7 @@ static bool fill(tr_bodies *b, const tr_scene *scene, tr_status *st) {
                                    .belt = s->belt, .from = -INFINITY, .to = INFINITY};
         if (s->from < s->to && s->from > -TR_ENDLESS) world->wall[w].from = s->from, world->wall[w].ends = true;
         if (s->from < s->to && s->to < TR_ENDLESS) world->wall[w].to = s->to, world->wall[w].ends = true;
-        world->wall_laws[w] = s->own ? &s->contact : NULL;
+        if (!tr_world_set_wall_laws(world, w, s->own ? &s->contact : NULL, st)) return false;
     }
     world->n_walls = scene->n_walls;
     return true;

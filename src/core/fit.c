@@ -57,14 +57,14 @@ bool tr_fit_bodies(const tr_bodies *b, tr_fit *fit) {
     const tr_world *w = &b->world;
     int n = 0;
     contact c;
-    bool own = false; /* walls may have laws of their own */
-    for (int k = 0; k < w->n_walls; k++) own |= w->wall_laws[k] != NULL;
-    if (w->shape != TR_SHAPE_DISK || (!own && !given(&b->scene->contact, 0, 0, &c))) return false; /* pairs take their time */
+    if (w->shape != TR_SHAPE_DISK) return false;
+    if (!w->wall_laws && !given(&b->scene->contact, 0, 0, &c)) return false; /* pairs take their time */
     for (int i = w->n_rings; i < w->disks.n; i++)
         for (int a = -w->n_walls; a < i; a++) {
             double R1 = a < 0 ? 0 : w->disks.pos[4 * (size_t)a + 3], R2 = w->disks.pos[4 * (size_t)i + 3];
             tr_fit now;
-            const tr_scene_contact *laws = a < 0 && w->wall_laws[-1 - a] ? w->wall_laws[-1 - a] : &b->scene->contact;
+            const tr_scene_contact *laws = a < 0 ? tr_world_wall_laws(w, -1 - a) : NULL;
+            if (!laws) laws = &b->scene->contact;
             if (!tr_fit_contact(laws, R1, R2, 0, 0, tr_resolution_force(b, a, i), &now)) continue;
             now.one = a, now.two = i;
             if (n++ == 0 || misfit(&now) > misfit(fit)) *fit = now;

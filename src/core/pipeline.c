@@ -63,31 +63,32 @@ static void group_choose(tr_group *g, const tr_scene_contact *contact, bool norm
 }
 
 static bool is_law_of(const tr_world *world, int w, const tr_scene_contact *laws) {
-    const tr_scene_contact *own = world->wall_laws[w];
+    const tr_scene_contact *own = tr_world_wall_laws(world, w);
     return own == laws || (own && laws && memcmp(own, laws, sizeof *own) == 0); /* no byte of them is unset */
 }
 
-/* Walls of the same laws, with ends or without, share a group; the first is that of endless walls with the laws of disks. Finds how
- * many groups there are, and the laws of each. */
-static bool sort_walls(tr_world *world, const tr_scene_contact *own[TR_MAX_GROUPS], tr_status *st) {
-    bool ends[TR_MAX_GROUPS] = {false};
+enum { MOST_GROUPS = TR_MAX_WALLS + 3 }; /* each wall with laws of its own */
+
+/* Walls of the same laws, with ends or without, share a group; the first is that of endless walls with the laws of disks.
+ * Makes the groups, and finds the laws of each; NULL: those of disks. */
+static bool make_groups(tr_world *world, const tr_scene_contact *own[MOST_GROUPS], tr_status *st) {
+    bool ends[MOST_GROUPS] = {false};
     int n = 2;
-    own[1] = NULL;
+    own[0] = own[1] = NULL;
     for (int w = 0; w < world->n_walls; w++) {
         int k = 1;
         while (k < n && !(ends[k] == world->wall[w].ends && is_law_of(world, w, own[k]))) k++;
-        if (k == TR_MAX_GROUPS - 1)
-            return tr_status_fail(st, TR_BAD_CASE, "error: wall %d: walls have more than %d different laws", w,
-                                  TR_MAX_GROUPS - 3);
-        if (k == n) ends[n] = world->wall[w].ends, own[n++] = world->wall_laws[w];
+        if (k == n) ends[n] = world->wall[w].ends, own[n++] = tr_world_wall_laws(world, w);
         world->wall_kind[w] = (unsigned char)(k - 1);
     }
-    for (int k = 0; k < TR_MAX_GROUPS; k++) {
-        tr_group_free(&world->group[k]);
-        world->group[k].walls = k > 0, world->group[k].ends = ends[k];
-    }
-    if (world->n_rings > 0) world->group[n].walls = false, world->group[n++].rings = true;
-    world->n_groups = n;
+    if (world->n_rings > 0) own[n++] = NULL;
+    tr_group *group = tr_alloc((size_t)n, sizeof *group, st);
+    if (!group) return false;
+    for (int k = 1; k < n; k++) group[k].walls = true, group[k].ends = ends[k];
+    if (world->n_rings > 0) group[n - 1].walls = false, group[n - 1].rings = true;
+    for (int k = 0; k < world->n_groups; k++) tr_group_free(&world->group[k]);
+    free(world->group);
+    world->group = group, world->n_groups = n;
     return true;
 }
 
@@ -112,8 +113,8 @@ bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool sm
     free(world->ledger);
     world->ledger = NULL;
     if (sinks & TR_SINK_LEDGER && !(world->ledger = tr_alloc(1, sizeof *world->ledger, st))) return false;
-    const tr_scene_contact *own[TR_MAX_GROUPS] = {NULL};
-    if (!sort_walls(world, own, st)) return false;
+    const tr_scene_contact *own[MOST_GROUPS];
+    if (!make_groups(world, own, st)) return false;
     for (int k = 0; k < world->n_groups; k++) {
         tr_group *g = &world->group[k];
         group_choose(g, own[k] ? own[k] : contact, g->walls && smooth_walls, world->shape,
@@ -151,17 +152,20 @@ static bool carries(const tr_group *now, const tr_group *before, int slot) {
 bool tr_world_change_laws(tr_world *world, const tr_scene_contact *contact, bool smooth_walls, unsigned sinks,
                           tr_status *st) {
     static const int slots[] = {TR_FRICTION, TR_ROLLING};
-    tr_group before[2], *now = world->group;
-    memcpy(before, now, sizeof before);
-    for (int k = 0; k < 2; k++) now[k] = (tr_group){.walls = before[k].walls};
+    tr_group *before = world->group;
+    const int n = world->n_groups;
+    world->group = NULL, world->n_groups = 0;
     bool ok = tr_world_set_laws(world, contact, smooth_walls, sinks, st), any = false;
-    for (int k = 0; ok && k < 4; k++) any |= carries(&now[k / 2], &before[k / 2], slots[k % 2]);
+    const int both = world->n_groups < n ? world->n_groups : n;
+    tr_group *now = world->group;
+    for (int k = 0; ok && k < 2 * both; k++) any |= carries(&now[k / 2], &before[k / 2], slots[k % 2]);
     if (any) {
         ok = tr_contacts_refresh(world, st);
-        for (int k = 0; ok && k < 4; k++)
+        for (int k = 0; ok && k < 2 * both; k++)
             if (carries(&now[k / 2], &before[k / 2], slots[k % 2])) carry(&now[k / 2], &before[k / 2], slots[k % 2]);
         world->stale = true; /* sinks may still come, and want their arrays */
     }
-    for (int k = 0; k < 2; k++) tr_group_free(&before[k]);
+    for (int k = 0; k < n; k++) tr_group_free(&before[k]);
+    free(before);
     return ok;
 }

@@ -166,8 +166,8 @@ static double wall_limit(const tr_world *world, const tr_group *g, int i, share 
 /* The least of all walls. */
 static double walls_limit(const tr_world *world, int i, share wall, const packings *p) {
     double bound = INFINITY;
-    for (int k = world->n_walls ? 1 : TR_MAX_GROUPS; k < world->n_groups; k++)
-        bound = fmin(bound, wall_limit(world, &world->group[k], i, wall, p));
+    for (int k = 1; k < world->n_groups && world->n_walls; k++)
+        if (world->group[k].walls) bound = fmin(bound, wall_limit(world, &world->group[k], i, wall, p));
     return bound;
 }
 

@@ -10,18 +10,21 @@
 #include <stdlib.h>
 
 bool tr_world_init(tr_world *world, int n, tr_shape shape, tr_status *st) {
-    *world = (tr_world){.shape = shape, .disks.n = n, .group[1].walls = true, .n_groups = 2, .stale = true, .alone_to = TR_FEW_DISKS};
+    *world = (tr_world){.shape = shape, .disks.n = n, .n_groups = 2, .stale = true, .alone_to = TR_FEW_DISKS};
     tr_disks *d = &world->disks;
     size_t lanes = (size_t)n * 4;
     world->broad = tr_broad_choose(n);
-    bool ok = (world->tile = tr_alloc(1, sizeof *world->tile, st)) && (d->pos = tr_alloc(lanes, sizeof(double), st)) &&
+    bool ok = (world->group = tr_alloc(2, sizeof *world->group, st)) && (world->tile = tr_alloc(1, sizeof *world->tile, st)) && (d->pos = tr_alloc(lanes, sizeof(double), st)) &&
               (d->vel = tr_alloc(lanes, sizeof(double), st)) && (d->force = tr_alloc(lanes, sizeof(double), st)) &&
               (d->inv = tr_alloc(lanes, sizeof(double), st)) && (d->mass = tr_alloc((size_t)n, sizeof(double), st)) &&
               (d->inertia = tr_alloc((size_t)n, sizeof(double), st)) &&
               (d->coordination = tr_alloc((size_t)n, sizeof(int), st)) &&
               (world->wide_ref = tr_alloc(lanes / 2, sizeof(double), st)) &&
               (world->thin_ref = tr_alloc(lanes / 2, sizeof(double), st));
-    if (!ok) tr_world_free(world);
+    if (ok)
+        world->group[1].walls = true;
+    else
+        tr_world_free(world);
     return ok;
 }
 
@@ -38,7 +41,8 @@ void tr_world_free(tr_world *world) {
     free(d->coordination);
     free(world->wide_ref), free(world->thin_ref), free(world->ledger), free(world->tile), free(world->picked);
     tr_shares_free(world->shares), tr_threads_free(world->threads);
-    for (int k = 0; k < world->n_groups; k++) tr_group_free(&world->group[k]);
+    for (int k = 0; k < world->n_groups && world->group; k++) tr_group_free(&world->group[k]);
+    free(world->group), free(world->wall_laws);
     if (world->finder) world->broad->destroy(world->finder);
     tr_pairs_free(&world->near);
     *world = (tr_world){0};
@@ -54,6 +58,13 @@ void tr_world_set_disk(tr_world *world, int i, double x, double y, double angle,
     inv[0] = inv[1] = prescribed ? 0 : 1 / m;
     inv[2] = prescribed ? 0 : 1 / tr_law_inertia(world->shape) / (m * radius * radius);
     world->stale = true;
+}
+
+bool tr_world_set_wall_laws(tr_world *world, int w, const tr_scene_contact *laws, tr_status *st) {
+    if (!world->wall_laws && !laws) return true;
+    if (!world->wall_laws && !(world->wall_laws = tr_alloc(TR_MAX_WALLS, sizeof *world->wall_laws, st))) return false;
+    world->wall_laws[w] = laws;
+    return true;
 }
 
 bool tr_world_set_ring(tr_world *world, int i, double radius, double outer, double density, tr_status *st) {
@@ -122,7 +133,7 @@ int tr_world_threads(const tr_world *world) {
 
 size_t tr_world_bytes(const tr_world *world) {
     size_t bytes =
-        sizeof *world + sizeof *world->tile + (size_t)world->disks.n * ((4 * 4 + 2 + 4) * sizeof(double) + sizeof(int));
+        sizeof *world + (size_t)world->n_groups * sizeof *world->group + sizeof *world->tile + (size_t)world->disks.n * ((4 * 4 + 2 + 4) * sizeof(double) + sizeof(int));
     if (world->ledger) bytes += sizeof *world->ledger;
     if (world->disks.load) bytes += (size_t)world->disks.n * 4 * sizeof(double);
     for (int k = 0; k < world->n_groups; k++) {

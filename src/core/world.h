@@ -37,7 +37,6 @@
 enum {
     TR_MAX_PASSES = 9,
     TR_MAX_WALLS = 128,
-    TR_MAX_GROUPS = 12, /* disks; walls; walls with laws of their own, or with ends; rings */
     TR_MAX_VELOCITY_MEASURES = 8,
     TR_GROUP_HIST = 3 * TR_MAX_HIST + 32, /* laws of three slots, and the sinks, which have 25 in all */
     TR_GROUP_PAIR = 5 + 3 * TR_MAX_PAIR /* R1, R2, g1, the image of b in a periodic cell, and the laws of three slots */
@@ -176,10 +175,11 @@ typedef struct tr_world {
     tr_periodic_cell cell; /* set before the laws */
     int rolling_velocity;  /* of two disks; index into tr_rolling_velocities */
     int arms;              /* index into tr_arms_rows */
-    /* Laws of a wall of its own, set before the laws; they must outlive the world. NULL: those of two disks. */
-    const tr_scene_contact *wall_laws[TR_MAX_WALLS];
+    const tr_scene_contact **wall_laws;    /* of each wall, see tr_world_set_wall_laws; NULL: none has its own */
     unsigned char wall_kind[TR_MAX_WALLS]; /* wall w is in group[1 + wall_kind[w]] */
-    tr_group group[TR_MAX_GROUPS];         /* disk-disk; wall-disk; then what there is of other walls; of rings the last */
+    /* disk-disk; wall-disk; then what there is of walls with laws of their own, or with ends; of rings the last. The laws
+     * make them anew. */
+    tr_group *group;
     int n_groups;
     tr_ledger *ledger;     /* NULL: not kept */
     tr_tile *tile;         /* one, reused; allocated apart because its lanes are aligned */
@@ -214,6 +214,13 @@ void tr_world_free(tr_world *world);
  * velocity whatever acts on it. */
 void tr_world_set_disk(tr_world *world, int i, double x, double y, double angle, double radius, double density,
                        bool prescribed);
+
+/* Wall w gets laws of its own, which must outlive the world; NULL: those of two disks. Before the laws are set. */
+bool tr_world_set_wall_laws(tr_world *world, int w, const tr_scene_contact *laws, tr_status *st);
+
+static inline const tr_scene_contact *tr_world_wall_laws(const tr_world *world, int w) {
+    return world->wall_laws ? world->wall_laws[w] : NULL;
+}
 
 /* A ring, the inside of which other bodies touch, in place of disk i. See n_rings. outer: its outer radius [m]. Of spheres
  * it is a shell. False: memory is short. */

@@ -85,8 +85,7 @@ static tr_cell cell_of(const tr_grid *grid, const tr_show *show, int i) {
 static tr_box room_of(const tr_cell *cell, const tr_show_lane *lane) {
     tr_box room = cell->stage;
     if (lane->world->n_walls > 0) room.h -= BELOW_FLOOR;
-    for (int i = 0; i < lane->world->n_walls; i++)
-        if (lane->world->wall_laws[i]) return room.h -= BELOW_NAMES, room;
+    if (lane->world->wall_laws) room.h -= BELOW_NAMES;
     return room;
 }
 

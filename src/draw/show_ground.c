@@ -83,9 +83,8 @@ static void name_wall(const tr_stage *s, int i) {
 
 void tr_ground_walls(const tr_stage *s) {
     const tr_world *world = s->lane->world;
-    bool own = false;
-    for (int i = 0; i < world->n_walls; i++) draw_wall(s, &world->wall[i]), own |= world->wall_laws[i] != NULL;
-    for (int i = 0; i < world->n_walls && own; i++) name_wall(s, i);
+    for (int i = 0; i < world->n_walls; i++) draw_wall(s, &world->wall[i]);
+    for (int i = 0; i < world->n_walls && world->wall_laws; i++) name_wall(s, i);
 }
 
 void tr_ground_trace(const tr_stage *s) {

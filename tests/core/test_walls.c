@@ -19,7 +19,7 @@ typedef struct show {
 
 /* rest: disks, walls, and what else there is of the case. */
 static void start(show *s, double time, double gx, double gy, const char *contact, const char *rest) {
-    char text[2000];
+    static char text[12000];
     tr_status st = {0};
     snprintf(
         text, sizeof text,
@@ -261,6 +261,32 @@ static void a_wall_fills_in_what_it_does_not_say(void **state) {
     end(&s);
 }
 
+/* As many laws as walls: each deceleration is mu g of its wall. A ring beside them has a group of its own. */
+static void every_wall_may_have_laws_of_its_own(void **state) {
+    (void)state;
+    enum { WALLS = 100 };
+    static char rest[9000];
+    show s;
+    int n = snprintf(
+        rest, sizeof rest,
+        "disks: [{radius: 0.3, ring: 0.01, x: -3, y: 3, motion: prescribed}, {radius: 20 mm, x: 5 mm, y: %.17g, "
+        "vx: 3}, {radius: 20 mm, x: -3, y: 2.71999}]\nwalls:\n",
+        R - weight() / K_N);
+    for (int i = 0; i < WALLS; i++)
+        n += snprintf(rest + n, sizeof rest - (size_t)n, " - {nx: 0, ny: 1, from: %g, to: %g, contact: {mu: %g}}\n",
+                      0.01 * i, 0.01 * (i + 1), 1e-3 * (i + 1));
+    start(&s, 0.4, 0, -G, "mu: 0, mu_r: 0", rest);
+    assert_int_equal(s.b.world.n_groups, WALLS + 3);
+    double energy = 0.5 * 9;
+    while (s.b.world.steps < s.b.steps && s.b.world.disks.pos[4] < 0.895) go(&s);
+    for (int i = 0; i < 90; i++) energy -= (i == 0 || i == 89 ? 0.005 : 0.01) * 1e-3 * (i + 1) * G;
+    double v[3];
+    tr_bodies_velocity(&s.b.world, 1, v);
+    assert_close(v[0], sqrt(2 * energy), 1e-4, 0);
+    assert_close(s.b.world.disks.pos[9], 2.72, 1e-4, 0); /* the other one lies in its ring */
+    end(&s);
+}
+
 /* A second document that changes the root's contact changes what its walls take from it. */
 static void documents_fill_in_their_own(void **state) {
     (void)state;
@@ -314,6 +340,7 @@ int main(void) {
         cmocka_unit_test(a_wall_that_moves_takes_its_end_along),
         cmocka_unit_test(a_world_of_such_walls_goes_on_from_a_checkpoint),
         cmocka_unit_test(a_wall_fills_in_what_it_does_not_say),
+        cmocka_unit_test(every_wall_may_have_laws_of_its_own),
         cmocka_unit_test(documents_fill_in_their_own),
         cmocka_unit_test(what_is_no_wall_is_told_where),
     };
