@@ -122,9 +122,9 @@ TRUNDLE_API int trundle_world_biaxial(trundle_world *world, trundle_biaxial *sta
 
 typedef struct trundle_contact trundle_contact;
 
-/* Two disks, or with R1 = 0 a plane (body 1) and a disk. Densities give the masses for dashpots [kg/m^3]; m = density
- * pi R^2. Normal of the plane, towards the disk: nx, ny, of length 1; ignored for two disks. Laws for spheres are
- * refused. */
+/* Two disks, or with R1 = 0 a plane (body 1) and a disk, or with R1 < 0 a ring of the inner radius -R1 and a disk in it.
+ * Densities give the masses for dashpots [kg/m^3]; m = density pi R^2. Normal of the plane, towards the disk: nx, ny, of
+ * length 1; ignored for two disks. Laws for spheres are refused. */
 typedef struct trundle_pair {
     double R1, R2, density1, density2, nx, ny;
 } trundle_pair;

@@ -23,9 +23,14 @@ struct trundle_contact {
 };
 
 static bool check(const trundle_pair *p, tr_status *st) {
-    bool plane = p->R1 == 0, sound = p->R2 > 0 && isfinite(p->R2) && p->R1 >= 0 && isfinite(p->R1) && p->density2 > 0 &&
+    bool plane = p->R1 == 0, sound = p->R2 > 0 && isfinite(p->R2) && isfinite(p->R1) && p->density2 > 0 &&
                                      isfinite(p->density2) && (plane || (p->density1 > 0 && isfinite(p->density1)));
-    if (!sound) return tr_status_fail(st, TR_BAD_CASE, "error: radii and densities must be positive (R1 = 0: a plane)");
+    if (!sound)
+        return tr_status_fail(st, TR_BAD_CASE,
+                              "error: radii and densities must be positive (R1 = 0: a plane, R1 < 0: a ring)");
+    if (p->R1 < 0 && !(p->R2 < -p->R1))
+        return tr_status_fail(st, TR_BAD_CASE,
+                              "error: R1 = %g m is a ring, which holds smaller disks only, and R2 = %g m", p->R1, p->R2);
     return !plane || fabs(tr_hypot(p->nx, p->ny) - 1) < 1e-9 ||
            tr_status_fail(st, TR_BAD_CASE, "error: the normal of the plane must have the length 1");
 }
@@ -69,9 +74,10 @@ static bool set_up(trundle_contact *c, const trundle_pair *p, tr_status *st) {
     c->plane = p->R1 == 0;
     if (!tr_world_init(w, c->plane ? 1 : 2, TR_SHAPE_DISK, st)) return false;
     if (!c->plane) tr_world_set_disk(w, 0, 0, 0, 0, p->R1, p->density1, false);
+    w->n_rings = p->R1 < 0; /* with the mass and inertia of a disk of that radius */
     tr_world_set_disk(w, c->plane ? 0 : 1, 0, 0, 0, p->R2, p->density2, false);
     if (c->plane) w->wall[0] = (tr_wall){.nx = p->nx, .ny = p->ny}, w->n_walls = 1;
-    double along[] = {c->plane ? p->nx : 1, c->plane ? p->ny : 0}, reach = (p->R1 + p->R2) * (1 - 1e-9);
+    double along[] = {c->plane ? p->nx : 1, c->plane ? p->ny : 0}, R = p->R1 + p->R2, reach = fabs(R) * (R < 0 ? 1 + 1e-9 : 1 - 1e-9);
     place(c, &(trundle_body){0}, &(trundle_body){.x = along[0] * reach, .y = along[1] * reach});
     w->dt = 1, w->allow_unstable = true; /* the step is the caller's */
     if (!tr_world_set_laws(w, &c->scene.contact, false, 0, st) || !tr_step_forces(w, st)) return false;
@@ -103,10 +109,10 @@ void trundle_contact_free(trundle_contact *c) {
 /* Histories are set to 0. Opening the contact is not enough: a number that is not finite would stay. */
 void trundle_contact_reset(trundle_contact *c) {
     const tr_disks *d = &c->world.disks;
-    tr_group *g = &c->world.group[c->plane];
+    tr_group *g = &c->world.group[c->plane ? 1 : c->world.n_rings ? c->world.n_groups - 1 : 0];
     const double far = 4 * (d->pos[3] + d->pos[4 * (size_t)(d->n - 1) + 3]);
     tr_status st = {0};
-    trundle_body two = {.x = far, .y = 0};
+    trundle_body two = {.x = c->world.n_rings ? 0 : far, .y = 0}; /* the middle of a ring is nowhere near it */
     if (c->plane) two.x = far * c->world.wall->nx, two.y = far * c->world.wall->ny;
     for (int k = 0; k < g->n_hist; k++)
         for (int i = 0; i < g->n; i++) g->hist[k][i] = 0;

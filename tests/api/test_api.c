@@ -403,9 +403,37 @@ static void comma_locale(void **state) {
     setlocale(LC_ALL, "C");
 }
 
+/* A disk pressed into a ring: pushed to its middle by k_n delta; friction and rolling turn both, and no angular momentum is
+ * made: torque1 + torque2 + X21 x F = 0. Back in the middle the contact has forgotten. */
+static void test_contact_in_a_ring(void **state) {
+    (void)state;
+    trundle_error error;
+    trundle_force f;
+    trundle_touch touch;
+    trundle_pair pair = {.R1 = -0.1, .R2 = 0.02, .density1 = 1000, .density2 = 1000};
+    trundle_contact *c = contact_of("k_n: 1 MPa, damping_ratio: 0, mu: 0.5, k_t: 1 MPa, mu_r: 0.1, k_r: 1 MPa", &pair);
+    trundle_body ring = {.spin = 1}, disk = {.x = 0.06, .y = -0.0801 * 0.6612, .vx = 0.3, .spin = 2};
+    disk.y = -sqrt(0.0801 * 0.0801 - 0.06 * 0.06);
+    assert_int_equal(trundle_contact_step(c, 1e-6, &ring, &disk, &f, &error), TRUNDLE_OK);
+    double inward = -(f.fx * disk.x + f.fy * disk.y) / 0.0801;
+    assert_close(inward, 1e6 * 1e-4, 1e-9, 0);
+    assert_close(f.torque1 + f.torque2 + disk.x * f.fy - disk.y * f.fx, 0, 0, 1e-13);
+    assert_true(f.torque1 != 0 && f.torque2 != 0);
+    assert_int_equal(trundle_contact_read(c, &touch, &error), TRUNDLE_OK);
+    assert_true(touch.a == 0 && touch.b == 1 && touch.overlap > 0);
+    disk.x = 0, disk.y = 1e-3;
+    assert_int_equal(trundle_contact_step(c, 1e-6, &ring, &disk, &f, &error), TRUNDLE_OK);
+    assert_true(f.fx == 0 && f.fy == 0 && f.torque1 == 0 && f.torque2 == 0);
+    trundle_contact_free(c);
+    pair.R1 = -0.02;
+    assert_null(trundle_contact_new("k_n: 1 MPa, friction: none, rolling: none", &pair, &error));
+    assert_non_null(strstr(error.text, "a ring, which holds smaller disks"));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(spring_by_hand),
                                        cmocka_unit_test(plane_turned),
+                                       cmocka_unit_test(test_contact_in_a_ring),
                                        cmocka_unit_test(as_in_a_world),
                                        cmocka_unit_test(what_is_refused),
                                        cmocka_unit_test(a_biaxial_test),
