@@ -101,6 +101,13 @@ spread: packages-build ## how strength scatters between seeds: the table for the
 	@$(MAKE) --no-print-directory build-all
 	figures/spread/spread.sh ./trundle out/spread
 
+# What each number of the shipped cases is good to, as a block of comment at the end of the case. Continues with the finished runs.
+BUDGET ?= 10min
+converge: packages-build ## the errors of the shipped cases, written into cases/*.yaml as comments (half an hour; BUDGET=10min of each)
+	@$(MAKE) --no-print-directory build-all
+	@mkdir -p out/converge
+	figures/converge/comments.sh ./trundle out/converge $(BUDGET) $(DEMOS:%=cases/%.yaml) cases/biaxial.yaml
+
 # Many minutes. Continues with the finished runs.
 replay: packages-build ## contacts of three assemblies compared with the exact half-plane: out/replay/ (10 min or more)
 	@$(MAKE) --no-print-directory build-all
@@ -152,9 +159,10 @@ verify: packages-build ## comparison with answers from elsewhere, error against 
 	@$(MAKE) --no-print-directory build-all
 	./trundle verify exact precision stability -o out/verify; code=$$?; \
 	    gnuplot -d -e 'dir = "out/verify"' figures/verify/precision.gp; \
+	    gnuplot -d -e 'dir = "out/verify"' figures/verify/precision-page.gp; \
 	    gnuplot -d -e 'set output "out/verify/stability.png"; set terminal pngcairo size 1350,1080 font "DejaVu Sans,20" enhanced' \
 	        figures/verify/stability.gp; exit $$code
-	@echo "tables: out/verify/verify.csv, points.csv; figures: out/verify/precision-*.png, stability.png (need gnuplot)"
+	@echo "tables: out/verify/verify.csv, points.csv; figures: out/verify/precision*.png, stability.png (need gnuplot)"
 
 test: packages-test ## all tests; last line: N passed, N failed
 	@$(MAKE) --no-print-directory run-tests

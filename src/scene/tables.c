@@ -152,12 +152,16 @@ static const tr_param gravity[] = {
 #undef STRUCT
 
 #define STRUCT tr_scene_step
-#define SAFETY(default_)                                                                                               \
-    { "safety", TR_REAL, TR_DIM_NUMBER, "1", default_, 1e-6, 1, NULL, AT(safety), "time step over its stability bound" }
+#define SAFETY(default_, more)                                                                                         \
+    {                                                                                                                  \
+        "safety", TR_REAL, TR_DIM_NUMBER, "1", default_, 1e-6, 1, NULL, AT(safety),                                    \
+            "time step over its stability bound" more                                                                  \
+    }
 /* From `trundle verify precision`: a few bodies need accurate numbers, and at 0.1 most are good to 1e-3. The scatter of
  * an assembly is far larger than the error of its step. */
-static const tr_param step_bodies[] = {SAFETY("0.1")};
-static const tr_param step_biaxial[] = {SAFETY("0.4")};
+static const tr_param step_bodies[] = {
+    SAFETY("0.1", "; at 0.1 an oblique rebound errs by 6 %, a normal one by 1 %, a smooth motion by 0.1 %")};
+static const tr_param step_biaxial[] = {SAFETY("0.4", "")};
 static const tr_param step[] = {
     {"dt", TR_REAL, TR_DIM_TIME, "s", "0", 0, 1e6, NULL, AT(dt), "time step; 0: safety times the bound"},
     {"allow_unstable", TR_SWITCH, TR_DIM_NUMBER, "", "no", 0, 0, NULL, AT(allow_unstable),

@@ -93,6 +93,7 @@ static void judge(tr_converge *c, tr_converge_ladder *l) {
                 value[k * stride + s] = l->level[k].state == TR_LEVEL_DONE ? l->level[k].value[q][s] : NAN;
         l->of[q] = sampled ? tr_ladder_of_samples(value, l->n, stride, c->n_seeds, l->own, r, l->cause->paired)
                            : tr_ladder_of(value, l->n, l->own, r, tr_converge_scale(c, q, value_of(c, q)));
+        l->of[q].half += tr_converge_grain(c, q), l->of[q].unsure += tr_converge_grain(c, q);
     }
 }
 
@@ -253,12 +254,14 @@ static bool run(tr_converge *c, char **text, tr_status *st) {
 }
 
 bool tr_converge_run(const tr_converge_options *options, char **text, tr_status *st) {
-    static const double RUNS = 0.95; /* of the budget; the rest is for stopping them, and for tables and pictures */
+    /* For stopping the runs, for tables and for pictures, which take a second where nothing else runs: [s], and of
+     * the budget. */
+    static const double REST = 5, MOST = 0.25;
     tr_converge *c = tr_alloc(1, sizeof *c, st);
     *text = NULL;
     if (!c) return false;
     c->options = options;
-    c->until = tr_run_clock() + RUNS * options->budget;
+    c->until = tr_run_clock() + options->budget - fmin(REST, MOST * options->budget);
     bool ok = open_case(c, st) && run(c, text, st);
     tr_scene_free(&c->scene);
     free(c->base);

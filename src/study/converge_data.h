@@ -35,7 +35,8 @@ typedef struct tr_converge_options {
  * contact.LAW.COLUMN@SEGMENT. */
 typedef struct tr_converge_number {
     char name[TR_SUMMARY_NAME];
-    bool usual; /* not asked for by name */
+    char shown[TR_SUMMARY_NAME + 32]; /* "checks.0.measured (slip-ends)" */
+    bool usual;                       /* not asked for by name */
 } tr_converge_number;
 
 typedef enum tr_level_state { TR_LEVEL_OPEN, TR_LEVEL_DONE, TR_LEVEL_FAILED } tr_level_state;

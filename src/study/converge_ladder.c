@@ -124,7 +124,7 @@ tr_ladder tr_ladder_of_samples(const double *value, int n, int stride, int seeds
         widest = fmax(widest, fabs(d.mean) + d.half);
     }
     if (none) return l;
-    l.verdict = noise ? TR_VERDICT_NOISE : TR_VERDICT_OPEN;
+    l.verdict = !noise ? TR_VERDICT_OPEN : widest > 0 ? TR_VERDICT_NOISE : TR_VERDICT_EXACT;
     if (noise) l.half = widest, l.limit = mean[own], l.unsure = widest;
     if (noise || last < 3) return l;
     for (int k = last - 2; k <= last; k++) {

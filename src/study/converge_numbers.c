@@ -3,6 +3,7 @@
 
 #include "base/gather.h"
 #include "scene/text.h"
+#include "scene/what.h"
 #include "study/converge_cell.h"
 #include "study/run.h"
 #include "base/math.h"
@@ -24,6 +25,22 @@ static const struct {
     {TR_KIND_PATCH, "u_slide_end*"},         {TR_KIND_PATCH, "dissipated*"},
 };
 
+/* The number k of the checks of all documents. */
+static const tr_scene_check *check_of(const tr_scene *s, int k) {
+    if (k < s->n_checks) return &s->checks[k];
+    for (int i = 0; i < s->n_more; i++) {
+        k -= i ? s->more[i - 1].n_checks : s->n_checks;
+        if (k < s->more[i].n_checks) return &s->more[i].checks[k];
+    }
+    return NULL;
+}
+
+/* The check that a number is of; NULL: it is of none. */
+static const tr_scene_check *check_behind(const tr_scene *s, const char *name) {
+    int k, end = 0;
+    return sscanf(name, "checks.%d.measured%n", &k, &end) == 1 && end && k >= 0 ? check_of(s, k) : NULL;
+}
+
 static bool add(tr_converge *c, const char *name, bool is_usual, tr_status *st) {
     for (int i = 0; i < c->n_numbers; i++)
         if (!strcmp(c->number[i].name, name))
@@ -31,7 +48,9 @@ static bool add(tr_converge *c, const char *name, bool is_usual, tr_status *st) 
     if (c->n_numbers == TR_CONVERGE_NUMBERS)
         return is_usual || tr_status_fail(st, TR_BAD_CASE, "error: --of takes at most %d names", TR_CONVERGE_NUMBERS);
     tr_converge_number *n = &c->number[c->n_numbers++];
+    const tr_scene_check *check = check_behind(&c->scene, name);
     snprintf(n->name, sizeof n->name, "%s", name);
+    snprintf(n->shown, sizeof n->shown, check ? "%s (%s)" : "%s", n->name, check ? tr_whats[check->what].name : "");
     n->usual = is_usual;
     return true;
 }
@@ -112,16 +131,6 @@ bool tr_converge_choose(tr_converge *c, tr_status *st) {
     return !st->code;
 }
 
-/* The number k of the checks of all documents. */
-static const tr_scene_check *check_of(const tr_scene *s, int k) {
-    if (k < s->n_checks) return &s->checks[k];
-    for (int i = 0; i < s->n_more; i++) {
-        k -= i ? s->more[i - 1].n_checks : s->n_checks;
-        if (k < s->more[i].n_checks) return &s->more[i].checks[k];
-    }
-    return NULL;
-}
-
 static double scale_of_cell(const tr_scene *s, const char *column) {
     double R = INFINITY, speed = 0;
     for (int i = 0; i < s->n_disks; i++) {
@@ -137,16 +146,19 @@ static double scale_of_cell(const tr_scene *s, const char *column) {
 
 double tr_converge_scale(const tr_converge *c, int number, double value) {
     const char *name = c->number[number].name, *at = strchr(name, '@');
-    int k, end = 0;
-    double scale = fabs(value);
-    if (sscanf(name, "checks.%d.measured%n", &k, &end) == 1 && end) {
-        const tr_scene_check *check = check_of(&c->scene, k);
-        if (check) scale = fmax(scale, fmax(fabs(check->exact), check->tolerance));
-    }
+    const tr_scene_check *check = check_behind(&c->scene, name);
+    double scale = check ? fmax(fabs(check->exact), check->tolerance) : 0;
+    scale = fmax(scale, fabs(value));
     if (at && c->scene.kind == TR_KIND_BODIES) {
         /* a cell of history.csv has 9 digits: its rounding is a hundred times that of a summary */
         const char *column = strchr(strchr(name, '.') + 1, '.');
         scale = 100 * fmax(scale, scale_of_cell(&c->scene, column ? column + 1 : ""));
     }
     return scale;
+}
+
+double tr_converge_grain(const tr_converge *c, int number) {
+    static const double SLOPE = 0.05 * M_PI / 180; /* study/checks.h */
+    const tr_scene_check *check = check_behind(&c->scene, c->number[number].name);
+    return check && tr_whats[check->what].when == TR_SLOPE ? SLOPE : 0;
 }

@@ -12,4 +12,7 @@ bool tr_converge_choose(tr_converge *c, tr_status *st);
 /* The size of a number, by which rounding is judged: a speed that should be 0 is small beside the others. */
 double tr_converge_scale(const tr_converge *c, int number, double value);
 
+/* What a search leaves open, whatever the settings: a slope from which a disk moves [rad]. Else 0. */
+double tr_converge_grain(const tr_converge *c, int number);
+
 #endif

@@ -27,7 +27,7 @@ static void put_verdict(FILE *f, const tr_ladder *of) {
         fputs("not examined", f);
         break;
     case TR_VERDICT_EXACT:
-        fprintf(f, of->half > 0 ? "%.1g (rounding)" : "0", of->half);
+        fprintf(f, of->half > 0 ? "%.1g (unchanged)" : "0", of->half);
         break;
     case TR_VERDICT_ORDER:
         fprintf(f, "%.2g (order %.2f)", of->half, of->order);
@@ -47,7 +47,9 @@ static void put_verdict(FILE *f, const tr_ladder *of) {
 
 /* "0.703 +- 0.02"; where a cause is not known there is no error in all. */
 static void put_total(FILE *f, double total, int unknown) {
-    if (unknown)
+    if (unknown && !(total > 0))
+        fputs("not known", f);
+    else if (unknown)
         fprintf(f, "not known (%.2g without %s)", total, unknown > 1 ? "those causes" : "that cause");
     else
         fprintf(f, "+- %.2g", total);
@@ -64,7 +66,7 @@ static void put_table(FILE *f, const tr_converge *c) {
         char text[32];
         double value = c->own.value[q][0], total = tr_converge_total(c, q, &unknown);
         if (tr_converge_idle(c, q)) continue;
-        fprintf(f, "| %s | %s | ", c->number[q].name, digits(value, total, text));
+        fprintf(f, "| %s | %s | ", c->number[q].shown, digits(value, total, text));
         put_total(f, total, unknown);
         fputs(" |", f);
         for (int i = 0; i < c->n_ladders; i++) putc(' ', f), put_verdict(f, &c->ladder[i].of[q]), fputs(" |", f);
@@ -108,10 +110,10 @@ static void put_sentence(FILE *f, const tr_converge *c, int q) {
     char text[32];
     double value = c->own.value[q][0], total = tr_converge_total(c, q, &unknown), most = largest(c, q, &which);
     if (!isfinite(value)) {
-        fprintf(f, "- Your %s has no value: it did not happen.\n", c->number[q].name);
+        fprintf(f, "- Your %s has no value: it did not happen.\n", c->number[q].shown);
         return;
     }
-    fprintf(f, "- Your %s is %s", c->number[q].name, digits(value, total, text));
+    fprintf(f, "- Your %s is %s", c->number[q].shown, digits(value, total, text));
     if (unknown)
         fprintf(f, "; its error is not known (%.2g without %s below)", total, unknown > 1 ? "the causes" : "the cause");
     else
@@ -132,8 +134,8 @@ static void put_sentence(FILE *f, const tr_converge *c, int q) {
             fprintf(f, "  Order %.2f is seen in %s: the value without that error is %s +- %.1g.\n", of->order, words,
                     digits(of->limit, of->unsure, text), of->unsure);
         if (of->verdict == TR_VERDICT_OPEN)
-            fprintf(f, "  It has not converged in %s within the range: finer settings move it by %.2g.\n", words,
-                    of->seen);
+            fprintf(f, "  It has not converged in %s within the range%s: other settings move it by %.2g.\n", words,
+                    c->ladder[i].dear ? ", which the budget ended" : "", of->seen);
         if (of->verdict == TR_VERDICT_NONE)
             fprintf(f, "  The error from %s was not examined%s.\n", words,
                     c->ladder[i].dear ? ": the budget is too small" : "");
@@ -215,17 +217,21 @@ static void put_comment(FILE *f, const tr_converge *c) {
     for (int i = 0; i < c->n_ladders; i++) fprintf(f, "%s %s", i ? "," : "", c->ladder[i].cause->name);
     if (tr_converge_sampled(c)) fprintf(f, "%s %d seeds", c->n_ladders ? "," : "", c->n_seeds);
     putc('\n', f);
+    bool all_idle = true;
+    for (int q = 0; q < c->n_numbers; q++) all_idle = all_idle && tr_converge_idle(c, q);
+    if (all_idle) fputs("#   all numbers are 0 at every setting\n", f);
     for (int q = 0; q < c->n_numbers; q++) {
         int unknown;
         char text[32];
         double total = tr_converge_total(c, q, &unknown);
         if (tr_converge_idle(c, q)) continue;
-        fprintf(f, "#   %s = %s, error ", c->number[q].name, digits(c->own.value[q][0], total, text));
+        fprintf(f, "#   %s = %s, error ", c->number[q].shown, digits(c->own.value[q][0], total, text));
         put_total(f, total, unknown);
-        putc(':', f);
-        for (int i = 0; i < c->n_ladders; i++)
-            fprintf(f, "%s %s ", i ? "," : "", c->ladder[i].cause->name), put_verdict(f, &c->ladder[i].of[q]);
-        if (tr_converge_sampled(c)) fprintf(f, "%s sample %.2g", c->n_ladders ? "," : "", c->sample[q].one_half);
+        for (int i = 0; i < c->n_ladders; i++) {
+            fputs(i ? ";\n#       " : c->n_ladders > 1 ? ":\n#       " : ": ", f);
+            fprintf(f, "%s ", c->ladder[i].cause->name), put_verdict(f, &c->ladder[i].of[q]);
+        }
+        if (tr_converge_sampled(c)) fprintf(f, ";\n#       sample %.2g", c->sample[q].one_half);
         putc('\n', f);
     }
     fputs("# --- end of trundle converge\n", f);
@@ -250,16 +256,16 @@ char *tr_converge_plan(const tr_converge *c, tr_status *st) {
     if (!tr_gather_begin(&g, st)) return NULL;
     FILE *f = g.stream;
     fprintf(f, "%s: numbers", c->options->case_file);
-    for (int q = 0; q < c->n_numbers; q++) fprintf(f, "%s %s", q ? "," : "", c->number[q].name);
-    fprintf(f, "\n\n| cause | key | settings, from the first to be tried | runs | about |\n|---|---|---|---|---|\n");
+    for (int q = 0; q < c->n_numbers; q++) fprintf(f, "%s %s", q ? "," : "", c->number[q].shown);
+    fprintf(f, "\n\n| cause | key | settings, from coarse to fine | runs | about |\n|---|---|---|---|---|\n");
     fprintf(f, "| the case itself | | | %d | %.2g s |\n", c->n_seeds, sum);
     for (int i = 0; i < c->n_ladders; i++) {
         const tr_converge_ladder *l = &c->ladder[i];
         double cost = 0;
         int runs = 0;
         fprintf(f, "| %s | %s |", l->cause->name, l->cause->key);
-        for (int k = l->own - 1; k < l->n; k++) {
-            if (k == l->own || k < 0 || isnan(l->level[k].setting)) continue;
+        for (int k = 0; k < l->n; k++) {
+            if (k == l->own || isnan(l->level[k].setting)) continue;
             fprintf(f, "%s %.4g", runs ? "," : "", l->level[k].setting);
             runs += c->n_seeds, cost += tr_converge_cost(c, l, k);
         }
