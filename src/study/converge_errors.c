@@ -36,9 +36,10 @@ double tr_converge_total(const tr_converge *c, int q, int *unknown) {
     return sum + (isnan(half) ? noise : tr_hypot(noise, half));
 }
 
+/* Of what is asked of a number, for one cause. Of a sample the seeds get half. */
 static double share(const tr_converge *c, int q) {
-    int causes = c->n_ladders + tr_converge_sampled(c);
-    return c->options->to * fabs(c->own.value[q][0]) / causes;
+    double asked = c->options->to * fabs(c->own.value[q][0]);
+    return asked / (tr_converge_sampled(c) ? 2 : 1) / c->n_ladders;
 }
 
 /* Of one number. */
@@ -65,9 +66,9 @@ double tr_converge_wanted(const tr_converge *c, const tr_converge_ladder *l) {
 int tr_converge_wanted_seeds(const tr_converge *c) {
     int most = 0;
     for (int q = 0; q < c->n_numbers; q++) {
-        double s = c->sample[q].deviation;
-        if (!isfinite(s) || !(share(c, q) > 0)) return 0;
-        int n = tr_sample_seeds_for(s, share(c, q));
+        double s = c->sample[q].deviation, half = 0.5 * c->options->to * fabs(c->own.value[q][0]);
+        if (!isfinite(s) || !(half > 0)) return 0;
+        int n = tr_sample_seeds_for(s, half);
         if (n > most) most = n;
     }
     return most;

@@ -49,7 +49,7 @@ static bool find_order(tr_ladder *l, const double *v, int last, double r) {
 static bool find_scatter(tr_ladder *l, const double *v, int first, int last, double r) {
     enum { LEAST = 3 };
     static const double SLOWEST = 0.6; /* a drift without an end, as ln k, falls slower than that from five levels on */
-    static const double TAKEN = 0.75;  /* at most: a slope of few levels may be steep by chance */
+    static const double TAKEN = 0.75;  /* at most, or a third: a slope of few levels may be steep by chance */
     double n = 0, x = 0, y = 0, xx = 0, xy = 0, top = 0;
     for (int k = first; k < last - 1; k++) {
         double D = tr_log(change(v, k, k + 2)) / tr_log(r);
@@ -58,7 +58,7 @@ static bool find_scatter(tr_ladder *l, const double *v, int first, int last, dou
     }
     double q = -(n * xy - x * y) / (n * xx - x * x);
     if (n < LEAST || !(q >= SLOWEST)) return false;
-    q = fmin(q, TAKEN);
+    q = fmax(fmin(q, TAKEN), q / 3);
     for (int k = first; k < last - 1; k++) top = fmax(top, change(v, k, k + 2) * tr_pow(r, q * (k - last)));
     l->verdict = TR_VERDICT_SCATTERED;
     l->limit = v[last], l->unsure = 3 * top;

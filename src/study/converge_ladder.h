@@ -8,8 +8,8 @@
  *              Then v = v_k + (v_k - v_{k-1})/(r^p - 1) [Richardson1911]; its own error is how far it moved with the
  *              last level
  *   scattered  a kink falls where it falls between two steps. The largest change from level k to the next two, D_k,
- *              falls as r^(-q k), q 0.6 or more; the envelope A r^(-q k) with q 0.75 at most lies above all of them, and
- *              three times it bounds what is left at the finest level
+ *              falls as r^(-q k), q 0.6 or more. An envelope A r^(-s k) lies above all of them; s is q but at most
+ *              0.75, or q/3 where that is more. Three times the envelope bounds what is left at the finest level
  *   open       none of these: not converged within the range. There is no number
  *
  * With a sample a level has a value of each seed, and what counts is the difference from the case's own level, seed

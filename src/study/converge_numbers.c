@@ -111,7 +111,7 @@ bool tr_converge_choose(tr_converge *c, tr_status *st) {
     char *summary = NULL;
     const char *of = c->options->of;
     if (!tr_run_check(&c->scene, &report, &summary, st)) return false;
-    bool ok = true;
+    bool ok = !of || *of || tr_status_fail(st, TR_BAD_CASE, "error: --of names no number");
     for (size_t i = 0; ok && !of && i < sizeof usual / sizeof *usual; i++) {
         names some = {.c = c, .pattern = usual[i].pattern};
         ok = usual[i].kind != c->scene.kind || tr_summary_numbers(summary, take, &some, st);

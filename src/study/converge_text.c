@@ -115,16 +115,13 @@ static void put_sentence(FILE *f, const tr_converge *c, int q) {
     }
     fprintf(f, "- Your %s is %s", c->number[q].shown, digits(value, total, text));
     if (unknown)
-        fprintf(f, "; its error is not known (%.2g without %s below)", total, unknown > 1 ? "the causes" : "the cause");
+        fputs(total > 0 ? "; its error is not known, but for +- " : "; its error is not known", f);
     else
-        fprintf(f, total > 0 ? " +- %.2g" : ", without an error that these settings make", total);
+        fputs(total > 0 ? " +- " : ", without an error that these settings make", f);
+    if (total > 0) fprintf(f, "%.2g", total);
     const char *from = which < 0 ? "the sample" : c->ladder[which].cause->words;
-    if (total > 0 && !unknown && c->n_ladders + tr_converge_sampled(c) > 1)
-        fprintf(f, ", %s from %s",
-                most > 0.8 * total   ? "nearly all of it"
-                : most > 0.5 * total ? "most of it"
-                                     : "the largest part",
-                from);
+    const char *part = most > 0.8 * total ? "nearly all of it" : most > 0.5 * total ? "most of it" : "the largest part";
+    if (total > 0 && c->n_ladders + tr_converge_sampled(c) > 1) fprintf(f, ", %s from %s", part, from);
     put_coarser(f, c, q);
     fputs(".\n", f);
     for (int i = 0; i < c->n_ladders; i++) {
@@ -175,8 +172,9 @@ static void put_setting(FILE *f, const tr_converge *c, const tr_cause *cause, do
 }
 
 static void put_advice(FILE *f, const tr_converge *c) {
-    fprintf(f, "\nFor an error of %.3g %% of each number, each cause with an equal share of it, set\n\n",
-            100 * c->options->to);
+    fprintf(f, "\nFor an error of %.3g %% of each number, %s, set\n\n", 100 * c->options->to,
+            tr_converge_sampled(c) ? "half of it of the sample and the other causes with equal shares"
+                                   : "each cause with an equal share of it");
     for (int i = 0; i < c->n_ladders; i++) {
         const tr_converge_ladder *l = &c->ladder[i];
         double times = tr_converge_wanted(c, l);

@@ -225,6 +225,7 @@ check 'a column that does not exist' refused 'no column' flight.yaml -o no --of 
 check 'a cell that is none' refused 'history.DISK.COLUMN@TIME' flight.yaml -o no --of history.vx@0
 check 'an instant that is not reached' refused 'does not reach' flight.yaml -o no --of history.0.vx_m_per_s@5
 check 'a disk that does not exist' refused 'has no rows' flight.yaml -o no --of history.7.vx_m_per_s@end
+check 'no name' refused '--of names no number' small.yaml -o no --of ''
 check 'a name twice' refused 'twice' small.yaml -o no --of e0,e0
 check 'a budget that is too small' refused 'too small for one run' small.yaml -o tiny --budget 0.001s
 check 'no case' refused 'which case?'
