@@ -106,7 +106,7 @@ BUDGET ?= 10min
 converge: packages-build ## the errors of the shipped cases, written into cases/*.yaml as comments (half an hour; BUDGET=10min of each)
 	@$(MAKE) --no-print-directory build-all
 	@mkdir -p out/converge
-	figures/converge/comments.sh ./trundle out/converge $(BUDGET) $(DEMOS:%=cases/%.yaml) cases/biaxial.yaml
+	figures/converge/comments.sh ./trundle out/converge $(BUDGET) $(patsubst %,cases/%.yaml,$(filter-out $(SLOPES),$(DEMOS))) cases/biaxial.yaml
 
 # Many minutes. Continues with the finished runs.
 replay: packages-build ## contacts of three assemblies compared with the exact half-plane: out/replay/ (10 min or more)
@@ -133,12 +133,11 @@ interop: packages-build ## what other codes compute that are installed (LAMMPS, 
 demos: packages-build ## all cases of a few bodies into out/demos/, those that have changed
 	@$(MAKE) --no-print-directory -k run-demos
 
-# The page shows what failed too, so it is made in any case. A second make: only then the results are there to be
-# listed.
-gallery: packages-gallery ## the demos as one page for a lecture: out/gallery/index.html
-	@$(MAKE) --no-print-directory -k run-demos; code=$$?; \
-	    $(MAKE) --no-print-directory $(OUT)/gallery/index.html || code=$$?; exit $$code
-	@echo "page: $(OUT)/gallery/index.html, to take along: $(OUT)/gallery.zip (needs zip)"
+# The page shows what failed too, so it is made in any case. A second make: only then the results are there to be listed.
+gallery: packages-gallery ## the demos as one page for a lecture: out/gallery/index.html; GALLERY_LANG=de: in German
+	@$(MAKE) --no-print-directory -k run-demos run-experts $(RUNS)/map.json; code=$$?; \
+	    $(MAKE) --no-print-directory $(GALLERY)/index.html || code=$$?; exit $$code
+	@echo "page: $(GALLERY)/index.html, to take along: $(GALLERY).zip (needs zip)"
 
 man: packages-man ## man pages of trundle and each command: out/man/*.1
 	@$(MAKE) --no-print-directory build-all
@@ -388,15 +387,41 @@ out/figures/shear-bands.png: $(wildcard figures/bands/*) out/bands/mu_r-0/summar
 	@mkdir -p $(@D)
 	figures/bands/shear-bands.sh out/bands $@
 
-# A demonstration is a case; its mark, NAME.done, says that it ran without an error. DEMO_FLAGS: for trundle run.
+# A demonstration is a case; its mark, NAME.done, says that it ran without an error. DEMO_FLAGS: for trundle run. The slopes are
+# made from cases/incline.yaml. The page has the pictures of bodies for an expert too, and a map of slopes. GALLERY_LANG=de: in German.
 OUT   := out
-DEMOS := $(filter-out biaxial% kuhn% sweep% shear-bands,$(patsubst cases/%.yaml,%,$(wildcard cases/*.yaml)))
-run-demos: $(DEMOS:%=$(OUT)/demos/%.done)
-$(OUT)/demos/%.done: cases/%.yaml $(TRUNDLE)
+GALLERY_LANG ?= en
+ifneq ($(GALLERY_LANG),en)
+DEMO_FLAGS += --lang $(GALLERY_LANG)
+IN := -$(GALLERY_LANG)
+endif
+RUNS    := $(OUT)/demos$(IN)
+GALLERY := $(OUT)/gallery$(IN)
+SLOPES  := $(shell figures/gallery/slopes.sh --list)
+DEMOS   := $(filter-out biaxial% kuhn% sweep% shear-bands,$(patsubst cases/%.yaml,%,$(wildcard cases/*.yaml))) $(SLOPES)
+EXPERTS  = $(filter $(SLOPES) $(patsubst cases/%.yaml,%,$(shell grep -l '^kind: bodies' cases/*.yaml)),$(DEMOS))
+run-demos: $(DEMOS:%=$(RUNS)/%.done)
+run-experts: $(EXPERTS:%=$(RUNS)/expert/%.done)
+$(SLOPES:%=$(RUNS)/%.done): $(RUNS)/%.done: $(RUNS)/cases/%.yaml $(TRUNDLE)
 	$(abspath $(TRUNDLE)) run $< -o $(@:.done=) --force $(DEMO_FLAGS)
 	@touch $@
-$(OUT)/gallery/index.html: $(wildcard figures/gallery/* $(OUT)/demos/*/summary.json)
-	figures/gallery/build.sh $(OUT)/demos $(OUT)/gallery $(DEMOS)
+$(SLOPES:%=$(RUNS)/expert/%.done): $(RUNS)/expert/%.done: $(RUNS)/cases/%.yaml $(TRUNDLE)
+	$(abspath $(TRUNDLE)) run $< -o $(@:.done=) --force $(DEMO_FLAGS) --set output.view=expert
+	@touch $@
+$(RUNS)/cases/%.yaml: cases/incline.yaml figures/gallery/slopes.sh
+	@mkdir -p $(@D)
+	figures/gallery/slopes.sh $* >$@
+$(RUNS)/%.done: cases/%.yaml $(TRUNDLE)
+	$(abspath $(TRUNDLE)) run $< -o $(@:.done=) --force $(DEMO_FLAGS)
+	@touch $@
+$(RUNS)/expert/%.done: cases/%.yaml $(TRUNDLE)
+	$(abspath $(TRUNDLE)) run $< -o $(@:.done=) --force $(DEMO_FLAGS) --set output.view=expert
+	@touch $@
+$(RUNS)/map.json: cases/incline.yaml figures/gallery/map.sh $(TRUNDLE)
+	@mkdir -p $(@D)
+	figures/gallery/map.sh $(abspath $(TRUNDLE)) $(@:.json=) >$@.part && mv $@.part $@
+$(GALLERY)/index.html: $(wildcard figures/gallery/* src/draw/words_*.h $(RUNS)/*/summary.json $(RUNS)/map.json)
+	GALLERY_LANG=$(GALLERY_LANG) figures/gallery/build.sh $(RUNS) $(GALLERY) $(DEMOS)
 
 # The library for WebAssembly, without what a page has not: files, threads, Box2D, libyaml and muParser. src/live/ has what takes
 # their place. Of one and the same flags, but those of src/live/wasm.c.

@@ -16,7 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_SETS = 256, CHECK = 1000, SEED, FRAMES, SET, FORCE, RESUME, CHECKPOINT, SAMPLE, THREADS, KEYS };
+enum { MAX_SETS = 256, CHECK = 1000, SEED, FRAMES, LANG, SET, FORCE, RESUME, CHECKPOINT, SAMPLE, THREADS, KEYS };
 
 typedef struct arguments {
     const char *file, *dir, *sample;
@@ -35,6 +35,7 @@ static const struct argp_option options[] = {
     {"set", SET, "KEY=VALUE", 0, "override a key of the case: --set shear.inertial_number=1e-4", 0},
     {"seed", SEED, "S", 0, "short for --set seed=S", 0},
     {"frames", FRAMES, "N", 0, "short for --set output.frames=N", 0},
+    {"lang", LANG, "en|de", 0, "short for --set language=...: the words in pictures", 0},
     {"resume", RESUME, NULL, 0,
      "continue a stopped run in the output directory, to the same bytes; a finished run stays as it is. Without a "
      "checkpoint a run starts over; only biaxial tests have one",
@@ -107,6 +108,9 @@ static error_t parse(int key, char *value, struct argp_state *state) {
         break;
     case FRAMES:
         add_short(a, "output.frames", value, state);
+        break;
+    case LANG:
+        add_short(a, "language", value, state);
         break;
     case ARGP_KEY_ARG:
         if (a->file && a->keys) argp_error(state, "one kind of case at a time");
@@ -188,8 +192,8 @@ static int print_keys(const char *kind) {
 int tr_cli_run(int argc, char **argv) {
     arguments a = {.checkpoint = 60};
     const struct argp argp = {
-        options, parse, "CASE.yaml\n--keys [KIND]", "Runs a case file and writes curves, tables, frames and a film.",
-        0,       0,     0};
+        options, parse, "CASE.yaml\n--keys [KIND]", "Runs a case file and writes curves, tables, frames and a film.", 0,
+        0,       0};
     argv[0] = "trundle run";
     tr_cli_parse(&argp, argc, argv, &a);
     int code = a.keys ? print_keys(a.file) : run(&a);

@@ -3,6 +3,7 @@
 
 #include "base/version.h"
 #include <errno.h>
+#include <string.h>
 #include <jansson.h>
 #include <math.h>
 #include <stdio.h>
@@ -44,6 +45,19 @@ static void add(json_t *object, const char *key, double value) {
     json_object_set_new(object, key, isfinite(value) ? json_real(value) : json_null());
 }
 
+/* "no | yes" as a list, without the blanks around. */
+static json_t *choices_of(const char *text) {
+    json_t *list = json_array();
+    for (;; text++) {
+        text += strspn(text, " ");
+        size_t n = strcspn(text, "|"), all = n;
+        while (n && text[n - 1] == ' ') n--;
+        json_array_append_new(list, json_stringn(text, n));
+        text += all;
+        if (!*text) return list;
+    }
+}
+
 static json_t *begin(const tr_scene *scene, const char *kind) {
     errno = 0;
     json_t *o = json_object();
@@ -51,14 +65,15 @@ static json_t *begin(const tr_scene *scene, const char *kind) {
     json_object_set_new(o, "commit", json_string(tr_commit));
     json_object_set_new(o, "kind", json_string(kind));
     const tr_scene_lesson *l = &scene->lesson;
-    const char *const text[][2] = {{"title", l->title},
-                                   {"equation", l->equation},
-                                   {"sentence", l->sentence},
-                                   {"question", l->question},
-                                   {"answer", l->answer}};
+    const char *const text[][2] = {{"title", l->title},       {"equation", l->equation}, {"sentence", l->sentence},
+                                   {"question", l->question}, {"answer", l->answer},     {"happens", l->happens}};
     json_t *lesson = json_object();
     for (size_t i = 0; i < sizeof text / sizeof *text; i++)
         if (*text[i][1]) json_object_set_new(lesson, text[i][0], json_string(text[i][1]));
+    if (*l->choices) {
+        json_object_set_new(lesson, "choices", choices_of(l->choices));
+        json_object_set_new(lesson, "right", json_integer(l->right));
+    }
     if (json_object_size(lesson)) json_object_set(o, "lesson", lesson);
     json_decref(lesson);
     if (scene->kind != TR_KIND_BIAXIAL) return o; /* nothing random */
@@ -184,8 +199,9 @@ char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, 
     json_object_set_new(o, "servo", json_string("piston: M dv/dt = pressure*length - force"));
     add_by_shape(o, scene->shape, "servo_mass_kg_per_m|servo_mass_kg",
                  b->world.n_walls ? b->world.wall[TR_LEFT_WALL].mass : b->world.cell.mass[0]);
-    json_object_set_new(o, "start_of_shear", json_string("velocities and friction of disks after compaction, "
-                                                       "other histories zero, driven sides at rest"));
+    json_object_set_new(o, "start_of_shear",
+                        json_string("velocities and friction of disks after compaction, "
+                                    "other histories zero, driven sides at rest"));
     add(o, "dt_s", b->world.dt);
     add(o, "dt_bound_s", b->dt_bound);
     json_object_set_new(o, "steps_compaction", json_integer(b->shear_start));

@@ -333,6 +333,20 @@ static bool check_inner(const checker *c, const tr_scope *s) {
                         s->item);
 }
 
+/* "no | yes | it depends": the answers that a class chooses from. */
+static bool check_lesson(const checker *c, const tr_scope *s) {
+    const tr_scene_lesson *l = &c->scene->lesson;
+    int n = *l->choices != 0;
+    for (const char *p = l->choices; *p; p++) n += *p == '|';
+    if (n && (n < 2 || n > 4))
+        return tr_text_fail(c->r->st, mark_in(s, "choices"),
+                            "`choices` has %d answers; allowed are 2 to 4, with | between them", n);
+    if (!n ? l->right == 0 : l->right >= 1 && l->right <= n) return true;
+    return tr_text_fail(c->r->st, mark_in(s, l->right ? "right" : "choices"),
+                        "`right` is %d, and there are %d choices: it is the number of the right one, from 1", l->right,
+                        n);
+}
+
 /* What no single row can say. */
 bool tr_check_together(const tr_resolver *r, tr_scene *scene) {
     const checker checker = {r, scene}, *c = &checker;
@@ -346,6 +360,7 @@ bool tr_check_together(const tr_resolver *r, tr_scene *scene) {
         }
         if (strcmp(s->section, "contact") == 0 && !check_laws(c, s, &c->scene->contact)) return false;
         if (strcmp(s->section, "shear") == 0 && !check_boundary(c, s)) return false;
+        if (strcmp(s->section, "lesson") == 0 && !check_lesson(c, s)) return false;
         if (strcmp(s->section, "output") == 0 && !check_output(c, s)) return false;
         if (strcmp(s->section, "disks") == 0 && !check_disk(c, s)) return false;
         if (strcmp(s->section, "checks") == 0 && !check_check(c, s)) return false;

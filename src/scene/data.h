@@ -99,8 +99,7 @@ typedef struct tr_scene_output {
     tr_scene_picks contact; /* bodies: the one contact that the panel and the curve show; none: the first ones */
     int curve;              /* bodies: tr_curve drawn beside the motion */
     double still;         /* bodies: time of still.png [s] */
-    int view;             /* bodies, biaxial: tr_output_view */
-    int language;         /* of the words in pictures, in the order of the choices of `language:` */
+    int view;             /* bodies: tr_output_view */
 } tr_scene_output;
 
 /* Who looks, in the order of the choices of `view:`. */
@@ -185,7 +184,8 @@ typedef struct tr_scene_patch {
 
 /* What a class is told about a case: text of one line each, empty where it is not given. */
 typedef struct tr_scene_lesson {
-    char title[64], equation[96], sentence[320], question[320], answer[640];
+    char title[64], equation[96], sentence[320], question[320], choices[320], answer[640], happens[640];
+    int right; /* of the choices, from 1; 0: none is given */
 } tr_scene_lesson;
 
 /* A number that the run measures and compares with a closed form. */
@@ -205,6 +205,7 @@ typedef struct tr_scene_check {
 
 typedef struct tr_scene {
     tr_kind kind;
+    int language;   /* of the words in pictures, in the order of the choices of `language:` */
     tr_shape shape; /* of all bodies; with spheres forces are in N, masses in kg, stresses and stiffnesses in N/m */
     uint64_t seed;
     tr_scene_contact contact;

@@ -6,6 +6,7 @@
 #include "scene/scene.h"
 
 #include "base/alloc.h"
+#include "scene/language.h"
 #include "scene/read.h"
 
 #include <stdlib.h>
@@ -30,6 +31,7 @@ static bool apply(const sets *sets, tr_node *root, tr_status *st) {
 static bool read_first(tr_scene *scene, tr_node *root, tr_document d, const sets *sets) {
     d.root = root;
     if (root->type == TR_NODE_MAPPING && !apply(sets, root, d.st)) return false;
+    if (!tr_language_choose(root, d.st)) return false;
     return tr_read_document(scene, &d);
 }
 
@@ -51,7 +53,8 @@ static bool read_next(tr_scene *scene, const tr_scene *first, tr_node *doc, tr_d
         return tr_text_fail(d.st, doc->key_mark, "a further document must be a mapping: the keys that it changes");
     const tr_node *kind = tr_tree_find(doc, "kind");
     bool same = !kind || (kind->type == TR_NODE_VALUE && strcmp(kind->text, tr_tree_find(d.root, "kind")->text) == 0);
-    if (!check_same(doc, "kind", same, d.st) || !tr_tree_merge(doc, d.root, d.st) || !apply(sets, doc, d.st))
+    if (!check_same(doc, "kind", same, d.st) || !tr_tree_merge(doc, d.root, d.st) || !apply(sets, doc, d.st) ||
+        !tr_language_choose(doc, d.st))
         return false;
     d.root = doc;
     return tr_read_document(scene, &d) && check_same(doc, "time_end", scene->time_end == first->time_end, d.st) &&

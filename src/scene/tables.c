@@ -3,6 +3,7 @@
  * and of signs, not unusual physics. No key may be the name of a unit, so that `m` is always the metre. */
 #include "scene/tables.h"
 
+#include "scene/language.h"
 #include "scene/what.h"
 
 #include <math.h>
@@ -33,6 +34,10 @@ static const tr_param root_bodies[] = {
     {"time_end", TR_REAL, TR_DIM_TIME, "s", NULL, 1e-12, 1e6, NULL, AT(time_end), "time that the run covers"},
     {"label", TR_TEXT, TR_DIM_NUMBER, "", "", 0, sizeof((tr_scene *)0)->label, NULL, AT(label),
      "name of this document, among several in one file"},
+};
+static const tr_param root_language[] = {
+    {"language", TR_CHOICE, TR_DIM_NUMBER, "", "en", 0, 0, tr_language_choices, AT(language),
+     "of the words in pictures: English or German; a lesson or label may be in both, {en: ..., de: ...}"},
 };
 static const tr_param root_pair[] = {
     {"E_star", TR_REAL, TR_DIM_MODULUS, "Pa", "bodies.E/(2*(1 - bodies.nu^2))", 1e-4, 1e18, NULL, AT(pair.E_star),
@@ -79,7 +84,10 @@ static const tr_param lesson[] = {
     LINE(equation, "the equation that the film shows, with its source"),
     LINE(sentence, "what to look at, in a sentence"),
     LINE(question, "question to the class"),
+    LINE(choices, "two to four answers to choose from, with | between them"),
+    {"right", TR_COUNT, TR_DIM_NUMBER, "", "0", 0, 4, NULL, AT(right), "number of the right choice, from 1"},
     LINE(answer, "answer to the question"),
+    LINE(happens, "what happens in the film, for a person who cannot see it; by default the sentence"),
 };
 #undef STRUCT
 
@@ -177,28 +185,14 @@ static const tr_param output[] = {
     {"paths", TR_PICKS, TR_DIM_NUMBER, "", "[]", 0, TR_MAX_PICKS, NULL, AT(paths),
      "contacts whose path is written: 17-42 (two disks), wall0-3 (wall 0, disk 3), most-mobilised (at the end)"},
 };
-#define VIEW                                                                                                           \
-    {"view",                                                                                                           \
-     TR_CHOICE,                                                                                                        \
-     TR_DIM_NUMBER,                                                                                                    \
-     "",                                                                                                               \
-     "class",                                                                                                          \
-     0,                                                                                                                \
-     0,                                                                                                                \
-     "class|expert",                                                                                                   \
-     AT(view),                                                                                                         \
-     "pictures for a class: three numbers at most, large type; for an expert: all definitions, all numbers"},          \
-    {                                                                                                                  \
-        "language", TR_CHOICE, TR_DIM_NUMBER, "", "en", 0, 0, "en|de", AT(language),                                   \
-            "of the words in pictures: English or German"                                                              \
-    }
 static const tr_param output_bodies[] = {
     {"curve", TR_CHOICE, TR_DIM_NUMBER, "", "none", 0, 0, "none|speed|velocities|creepage|spin", AT(curve),
      "drawn over time: speed of disk 0; V_s and V_r, or creepage, of `contact`, else the first; spin of the last disk"},
     {"contact", TR_PICKS, TR_DIM_NUMBER, "", "[]", 0, 1, NULL, AT(contact),
      "shown in the panel, alone: 0-1 (two disks), wall0-2 (wall 0, disk 2); by default the first four"},
     {"still", TR_REAL, TR_DIM_TIME, "s", "time_end", 0, 1e6, NULL, AT(still), "time of still.png"},
-    VIEW,
+    {"view", TR_CHOICE, TR_DIM_NUMBER, "", "class", 0, 0, "class|expert", AT(view),
+     "pictures for a class: three numbers at most, large type; for an expert: all definitions, all numbers"},
 };
 static const tr_param output_biaxial[] = {
     {"color", TR_CHOICE, TR_DIM_NUMBER, "", "mobilisation", 0, 0, "mobilisation|sliding|rolling|slip|spin", AT(color),
@@ -393,6 +387,7 @@ const tr_section tr_sections[] = {
     SECTION("", "", TR_FOR_BIAXIAL, root_biaxial, .offset = 0),
     SECTION("", "", TR_FOR_BODIES, root_bodies, .offset = 0),
     SECTION("", "", TR_FOR_PATCH, root_patch, .offset = 0),
+    SECTION("", "", TR_FOR_ALL, root_language, .offset = 0),
     SECTION("", "", TR_FOR_PAIR, root_pair, .offset = 0, .derived = true),
     SECTION("", "", TR_FOR_CONTACT, root_contact, .offset = 0, .derived = true),
     SECTION("lesson", "texts for the class", TR_FOR_ALL, lesson, .offset = AT(lesson),

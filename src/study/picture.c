@@ -108,7 +108,7 @@ void tr_picture_draw(tr_canvas *canvas, const tr_cast *s, const tr_view_box *vie
     for (int i = 0; i < n_results; i++) {
         check[n_checks++] = tr_run_shown_check(&result[i], s->scene, s->n > 1);
     }
-    tr_canvas_speak(canvas, s->scene->output.language);
+    tr_canvas_speak(canvas, s->scene->language);
     const tr_show picture = {.expert = s->scene->output.view == TR_VIEW_EXPERT,
                              .title = *lesson->title ? lesson->title : s->title,
                              .equation = or_null(lesson->equation),

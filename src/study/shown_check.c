@@ -40,7 +40,7 @@ tr_show_check tr_run_shown_check(const tr_check_result *r, const tr_scene *scene
     if (fabs(measured) < 0.01 * r->check->tolerance) measured = 0; /* rounding */
     snprintf(shown.group, sizeof shown.group, "%s", several ? r->lane : "");
     int used = snprintf(shown.what, sizeof shown.what, "%.40s",
-                        what ? what : tr_words_of((tr_language)scene->output.language, word[r->check->what]));
+                        what ? what : tr_words_of((tr_language)scene->language, word[r->check->what]));
     if (scene->n_disks > 1) used += snprintf(shown.what + used, sizeof shown.what - (size_t)used, ", %.9s", r->of);
     if (r->check->at > 0 && r->check->at < scene->time_end)
         snprintf(shown.what + used, sizeof shown.what - (size_t)used, ", %.3g s", r->check->at);

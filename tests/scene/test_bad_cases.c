@@ -64,29 +64,29 @@ static const bad_case rows[] = {
      "[biaxial]\n      ^"},
     {GOOD "smaple: {disks: 4}\n", 0, NULL,
      "a.yaml:5:1: error: unknown key `smaple` (did you mean `sample`?); allowed here: kind, shape, seed, boundary, "
-     "lesson, "
+     "language, lesson, "
      "sample, "
      "contact, "
      "compaction, shear, step, output\nsmaple: {disks: 4}\n^"},
     {GOOD "frobnicate: 3\n", 0, NULL,
-     "a.yaml:5:1: error: unknown key `frobnicate`; allowed here: kind, shape, seed, boundary, lesson, sample, contact, "
+     "a.yaml:5:1: error: unknown key `frobnicate`; allowed here: kind, shape, seed, boundary, language, lesson, sample, contact, "
      "compaction, "
      "shear, step, "
      "output\nfrobnicate: 3\n^"},
     {GOOD "gravity: {y: -9.81}\n", 0, NULL,
-     "a.yaml:5:1: error: `gravity` is not for `kind: biaxial`; allowed here: kind, shape, seed, boundary, lesson, "
+     "a.yaml:5:1: error: `gravity` is not for `kind: biaxial`; allowed here: kind, shape, seed, boundary, language, lesson, "
      "sample, "
      "contact, "
      "compaction, "
      "shear, step, output\ngravity: {y: -9.81}\n^"},
     {GOOD_BODIES "seed: 3\n", 0, NULL, /* nothing is random there */
-     "a.yaml:5:1: error: `seed` is not for `kind: bodies`; allowed here: kind, shape, time_end, label, lesson, "
+     "a.yaml:5:1: error: `seed` is not for `kind: bodies`; allowed here: kind, shape, time_end, label, language, lesson, "
      "contact, gravity, "
      "step, "
      "output, disks, walls, checks\nseed: 3\n^"},
     {GOOD_BODIES "output: {energy: yes}\n", 0, NULL,
      "a.yaml:5:10: error: `output.energy` is not for `kind: bodies`; allowed here: frames, rows, contacts, paths, "
-     "curve, contact, still\noutput: {energy: yes}\n         ^"},
+     "curve, contact, still, view\noutput: {energy: yes}\n         ^"},
     {GOOD "output: {color: mobilization}\n", 0, NULL,
      "a.yaml:5:17: error: `mobilization` is not a choice for `color` (did you mean `mobilisation`?); allowed is "
      "mobilisation | sliding | rolling | slip | spin\noutput: {color: mobilization}\n                ^"},
@@ -100,7 +100,7 @@ static const bad_case rows[] = {
      "a.yaml:5:18: error: `lesson.answer` must be a single value: answer to the question\nlesson: {answer: [1, 2]}\n      "
      "           ^"},
     {GOOD "label: a\n", 0, NULL,
-     "a.yaml:5:1: error: `label` is not for `kind: biaxial`; allowed here: kind, shape, seed, boundary, lesson, "
+     "a.yaml:5:1: error: `label` is not for `kind: biaxial`; allowed here: kind, shape, seed, boundary, language, lesson, "
      "sample, contact, "
      "compaction, shear, step, output\nlabel: a\n^"},
     {"just words", 0, "seed=3", "a.yaml:1:1: error: a case must be a mapping of keys and values\njust words\n^"},
@@ -625,7 +625,7 @@ static void contact_messages(void **state) {
         {ROLL "E_star: 3 GPa\n", "a.yaml:5:1: error: `E_star` follows from other keys, bodies.E/(2*(1 - "
                                  "bodies.nu^2)), and cannot be given\n"},
         {ROLL "seed: 3\n",
-         "a.yaml:5:1: error: `seed` is not for `kind: contact`; allowed here: kind, lesson, output, bodies, laws, "
+         "a.yaml:5:1: error: `seed` is not for `kind: contact`; allowed here: kind, language, lesson, output, bodies, laws, "
          "path, checks\n"},
         {ROLL "contact: {mu: 1}\n", "a.yaml:5:1: error: `contact` is not for `kind: contact`; allowed here: "},
         {PAIR "laws: [{friction: coulomb-spring}]\npath: [{force: 1}]\n",

@@ -315,6 +315,8 @@ static void written_text(void **state) {
         "plane\n"
         "time_end: 0.1                              # time that the run covers [s]\n"
         "label: \"\"                                  # name of this document, among several in one file\n"
+        "language: en                               # of the words in pictures: English or German; a lesson or label "
+        "may be in both, {en: ..., de: ...}\n"
         "\nlesson: # texts for the class\n"
         "  title: \"\"                                # title of the film\n",
         ("\ncontact: # the laws between two disks\n"

@@ -8,18 +8,24 @@ set -u
 cases=$(realpath "$(dirname "$0")/../../cases")
 cd "$work" || exit 1
 
-for case in "$cases"/*.yaml; do
+slopes=$cases/../figures/gallery/slopes.sh
+for law in $("$slopes" --list); do "$slopes" "$law" >"$work/$law.yaml"; done
+for case in "$cases"/*.yaml "$work"/*.yaml; do
     grep -q '^kind: bodies' "$case" || continue
     demo=$(basename "$case" .yaml)
     check "$demo: its numbers are those of the closed forms" run_gives 0 "$case" --frames 0 -o "$demo"
     check "$demo: it has numbers" grep -q '"exact"' "$demo/summary.json"
     check "$demo: it has a lesson" grep -q '"question"' "$demo/summary.json"
+    check "$demo: with answers to choose from" grep -q '"choices"' "$demo/summary.json"
+    in_german() { run_gives 0 "$case" --lang de --frames 0 -o "$demo-de" && [ "$(title "$demo")" != "$(title "$demo-de")" ]; }
+    title() { sed -n 's/^ *"title": //p' "$1/summary.json" | head -n 1; }
+    check "$demo: in German too, with the same numbers" in_german
 done
 
 # ---- the closed forms follow the case, and the motion follows them: other values, still within the tolerance ----
 check 'slip to roll on ice' run_gives 0 "$cases/slip-to-roll.yaml" --frames 0 -o ice --set contact.mu=0.15 --set time_end=0.5
 check 'slip to roll, faster' run_gives 0 "$cases/slip-to-roll.yaml" --frames 0 -o fast --set disks.0.vx=1.5 --set time_end=0.5
-check 'a slope with other coefficients' run_gives 0 "$cases/incline-wang.yaml" --frames 0 -o other \
+check 'a slope with other coefficients' run_gives 0 "$cases/incline.yaml" --frames 0 -o other \
     --set contact.mu=0.4 --set contact.mu_r=0.05
 check 'coasting with half the resistance stops later' run_gives 0 "$cases/coasting.yaml" --frames 0 -o half \
     --set contact.mu_r=0.05 --set time_end=3.2
