@@ -41,9 +41,12 @@ TESTS    := $(TEST_SRC:%.c=$(BUILD)/%)
 all: packages-build ## builds ./trundle (make without a target)
 	@$(MAKE) --no-print-directory build-all
 
-biaxial: packages-build ## the 400-disk biaxial test: curves, frames, film in out/biaxial/
+biaxial: packages-build ## the 400-disk biaxial test: curves, frames, film in out/biaxial/, and beside it mu_r = 0
 	@$(MAKE) --no-print-directory build-all
 	./trundle run cases/biaxial.yaml -o out/biaxial --force
+	./trundle run cases/biaxial.yaml -o out/biaxial-mu_r-0 --force --set contact.mu_r=0
+	figures/beside/beside.sh out/biaxial-mu_r-0 out/biaxial out/biaxial-beside
+	@echo "both:   out/biaxial-beside.mp4: the same sample with mu_r = 0 and 0.5 (needs ffmpeg)"
 	@echo "curve:  out/biaxial/biaxial.svg and .png (needs gnuplot), numbers in out/biaxial/history.csv"
 	@echo "frames: out/biaxial/frames/*.png"
 	@echo "video:  out/biaxial/biaxial.mp4 (needs ffmpeg)"

@@ -21,6 +21,13 @@ typedef struct tr_view_line {
     const char *label, *value;
 } tr_view_line;
 
+/* A biaxial test so far, row by row. */
+typedef struct tr_history {
+    int n;
+    const double *strain, *sin_phi, *rolling_share, *unbalanced;
+    double strain_end;
+} tr_history;
+
 /* The contents of a frame of an assembly. For a film without flicker keep range, f_mean and the box the same in all
  * frames. */
 typedef struct tr_view {
@@ -36,6 +43,7 @@ typedef struct tr_view {
     const char *title;     /* NULL: no title, the picture uses its room */
     const tr_view_line *line;
     int n_lines;
+    const tr_history *history;   /* its curves, where there is no inset; NULL: none */
     const tr_patch_state *inset; /* the inside of the contact of disks inset_a and inset_b; NULL: none */
     const tr_patch_pair *inset_pair;
     int inset_a, inset_b;

@@ -8,6 +8,10 @@
 double tr_frame_field(const tr_world *world, const tr_record *r, tr_color color) {
     double stick[2];
     if (color == TR_COLOR_MOBILISATION) return r->mobilisation;
+    if (color == TR_COLOR_MOTION) {
+        double slides = fabs(r->v_s), rolls = fabs(r->v_r);
+        return slides + rolls > 0 ? (rolls - slides) / (rolls + slides) : 0;
+    }
     if (color != TR_COLOR_SLIP) return fabs(color == TR_COLOR_SLIDING ? r->v_s : r->v_r);
     tr_frame_stick(world, r, stick);
     return 1 - 0.5 * (stick[1] - stick[0]);

@@ -2,6 +2,8 @@
 /* What all frames share: see frame.h. */
 #include "draw/frame.h"
 
+#include "draw/say.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -92,13 +94,16 @@ tr_ramp tr_frame_ramp(tr_color color) {
 void tr_frame_color_bar(cairo_t *cr, const tr_scale *scale, double y) {
     tr_unit shown = *scale->unit;
     double range = scale->range, low = scale->diverging ? -range : 0, middle = range / 2 / shown.size;
+    static const tr_word_key motion[] = {TR_WORD_slides, TR_WORD_both, TR_WORD_rolls};
     char label[96], number[32];
     snprintf(label, sizeof label, "%s%s%s%s", scale->name, *shown.name ? "  [" : "", shown.name,
              *shown.name ? "]" : "");
     tr_pen_text(cr, (tr_text){.x = TR_PANEL_X, .y = y, .size = 24, .room = TR_PANEL_W}, label);
     cairo_pattern_t *ramp = cairo_pattern_create_linear(TR_PANEL_X, 0, TR_PANEL_X + TR_PANEL_W, 0);
     for (int i = 0; i <= 40; i++) {
-        tr_rgb c = scale->diverging ? tr_palette_diverging(i / 20.0 - 1) : tr_palette_ramp(scale->ramp, i / 40.0);
+        tr_rgb c = scale->motion      ? tr_palette_motion(i / 20.0 - 1)
+                   : scale->diverging ? tr_palette_diverging(i / 20.0 - 1)
+                                      : tr_palette_ramp(scale->ramp, i / 40.0);
         cairo_pattern_add_color_stop_rgb(ramp, i / 40.0, c.r, c.g, c.b);
     }
     cairo_rectangle(cr, TR_PANEL_X, y + 16, TR_PANEL_W, 28);
@@ -107,10 +112,10 @@ void tr_frame_color_bar(cairo_t *cr, const tr_scale *scale, double y) {
     cairo_pattern_destroy(ramp);
     shown.decimals = !scale->diverging && fabs(middle - nearbyint(middle)) > 1e-3; /* the range is a round number */
     for (int i = 0; i <= 2; i++) {
+        tr_text at = {.x = TR_PANEL_X + i * TR_PANEL_W / 2.0, .y = y + 70, .size = 24, .align = (tr_align)i};
         tr_frame_number(number, sizeof number, low + i * (range - low) / 2, &shown, scale->diverging);
-        tr_pen_text(cr,
-                    (tr_text){.x = TR_PANEL_X + i * TR_PANEL_W / 2.0, .y = y + 70, .size = 24, .align = (tr_align)i},
-                    number);
+        at.hue = !scale->motion || i == 1 ? TR_INK : i ? TR_ROLLS : TR_SLIDES, at.bold = scale->motion;
+        tr_pen_text(cr, at, !scale->motion ? number : tr_say(cr, motion[i]));
     }
 }
 
@@ -140,7 +145,7 @@ tr_map tr_frame_map(tr_box box, double scale, double x0, double y0, double x1, d
 tr_map tr_frame_start(cairo_t *cr, const tr_view *view, double *panel_y) {
     char time[64];
     tr_frame_time(time, sizeof time, view->time, view->time_end);
-    *panel_y = tr_frame_head(cr, &(tr_head){view->title, "time", time, view->line, view->n_lines});
+    *panel_y = tr_frame_head(cr, &(tr_head){view->title, TR_SAY(cr, time), time, view->line, view->n_lines});
     double top = view->title ? TR_EDGE + 52 : TR_EDGE;
     tr_box box = {TR_EDGE, top, TR_PICTURE_W, TR_FRAME_HEIGHT - 64 - top};
     double scale = tr_frame_scale(box, view->x0, view->y0, view->x1, view->y1);

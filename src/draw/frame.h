@@ -57,7 +57,7 @@ typedef struct tr_scale {
     double range;
     const tr_unit *unit;
     tr_ramp ramp;
-    bool diverging;
+    bool diverging, motion; /* motion: words at its ends, no numbers */
 } tr_scale;
 
 /* In the panel; y: base line of its label [px]. */

@@ -13,7 +13,9 @@
 #include "draw/field.h"
 #include "draw/frame.h"
 #include "draw/frame_slip.h"
+#include "draw/frame_history.h"
 #include "draw/patch_plot.h"
+#include "draw/say.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -85,9 +87,20 @@ static void draw_disks(cairo_t *cr, const tr_view *view, const tr_map *map) {
     cairo_stroke(cr);
 }
 
+static bool is_two_sided(const tr_view *view) {
+    return view->color == TR_COLOR_SPIN || view->color == TR_COLOR_MOTION;
+}
+
+/* u from 0 to 1: from one end of the colour bar to the other. */
+static tr_rgb color_at(const tr_view *view, double u) {
+    return view->color == TR_COLOR_SPIN     ? tr_palette_diverging(2 * u - 1)
+           : view->color == TR_COLOR_MOTION ? tr_palette_motion(2 * u - 1)
+                                            : tr_palette_ramp(tr_frame_ramp(view->color), u);
+}
+
 /* Disks in the colour of a field, without rims, which would cover what is a few pixels large. */
 static void draw_field(cairo_t *cr, const tr_view *view, const tr_map *map, double range) {
-    bool diverging = view->color == TR_COLOR_SPIN;
+    bool diverging = is_two_sided(view);
     double low = diverging ? -range : 0, r;
     for (int c = 0; c < N_COLORS; c++) {
         for (int i = 0; i < view->world->disks.n; i++) {
@@ -97,7 +110,7 @@ static void draw_field(cairo_t *cr, const tr_view *view, const tr_map *map, doub
             if (color == c && tr_frame_seen(p, r)) add_disk(cr, p, r);
         }
         double u = (c + 0.5) / N_COLORS;
-        tr_pen_rgb(cr, diverging ? tr_palette_diverging(2 * u - 1) : tr_palette_ramp(tr_frame_ramp(view->color), u));
+        tr_pen_rgb(cr, color_at(view, u));
         cairo_fill(cr);
     }
 }
@@ -132,6 +145,7 @@ static void draw_contacts(cairo_t *cr, const tr_view *view, const tr_map *map, d
         for (int k = 0; k < tr_frame_images(view) * view->n_records; k++) {
             const tr_record *r = &view->record[k % view->n_records];
             double u = slip ? 0 : tr_frame_field(view->world, r, view->color) / range;
+            if (view->color == TR_COLOR_MOTION) u = 0.5 * (1 + u);
             int color = u > 0 ? (u < 1 ? (int)(u * N_COLORS) : N_COLORS - 1) : 0;
             tr_point p, q;
             if (color != c || !(r->f_n > 0) || !branch(view, map, r, k / view->n_records, &p, &q)) continue;
@@ -148,8 +162,7 @@ static void draw_contacts(cairo_t *cr, const tr_view *view, const tr_map *map, d
             cairo_line_to(cr, p.x + ey, p.y - ex);
             cairo_close_path(cr);
         }
-        tr_pen_rgb(cr,
-                   slip ? tr_palette_hue(TR_FORCE) : tr_palette_ramp(tr_frame_ramp(view->color), (c + 0.5) / N_COLORS));
+        tr_pen_rgb(cr, slip ? tr_palette_hue(TR_FORCE) : color_at(view, (c + 0.5) / N_COLORS));
         cairo_fill(cr);
     }
     if (slip) tr_frame_slip(cr, view, map, mean);
@@ -213,44 +226,47 @@ static void draw_walls(cairo_t *cr, const tr_view *view, const tr_map *map) {
 }
 
 static void draw_color_bar(cairo_t *cr, const tr_view *view, double range, double y) {
-    static const char *const name[] = {"friction used  |f_t| / (μ f_n)", "sliding velocity  |V_s|",
-                                       "rolling velocity  |V_r|", "part of the width that slips",
-                                       "rotation since the start"};
+    static const tr_word_key name[] = {TR_WORD_friction_used, TR_WORD_sliding_speed, TR_WORD_rolling_speed,
+                                       TR_WORD_slip_share,    TR_WORD_rotation,      TR_WORD_motion};
     tr_unit unit = {.size = 1};
-    char label[64];
-    bool spin = view->color == TR_COLOR_SPIN;
+    char label[96];
+    bool spin = view->color == TR_COLOR_SPIN, motion = view->color == TR_COLOR_MOTION;
     if (spin)
         unit = (tr_unit){.size = M_PI / 180, .name = "°"};
     else if (view->color == TR_COLOR_SLIDING || view->color == TR_COLOR_ROLLING)
         unit = tr_frame_unit(range, "m/s");
-    snprintf(label, sizeof label, "%s%s", view->fill && !spin ? "mean " : "", name[view->color]);
+    const char *text = tr_say(cr, name[view->color]);
+    if (view->fill && !spin)
+        tr_words_fill(label, sizeof label, TR_SAY(cr, mean_of), text, "");
+    else
+        snprintf(label, sizeof label, "%s", text);
     if (view->color == TR_COLOR_SLIP) /* of disks too small for bars across their contacts */
         tr_pen_text(cr, (tr_text){.x = TR_PANEL_X, .y = y - 34, .size = 22, .room = TR_PANEL_W, .hue = TR_FAINT},
-                    tr_frame_slip_limit(view));
-    tr_frame_color_bar(cr, &(tr_scale){label, range, &unit, tr_frame_ramp(view->color), spin}, y);
+                    tr_frame_slip_limit(cr, view));
+    tr_frame_color_bar(cr, &(tr_scale){label, range, &unit, tr_frame_ramp(view->color), spin, motion}, y);
 }
 
 static void draw_width_key(cairo_t *cr, tr_shape shape, double mean, double width, double y) {
     tr_unit unit = tr_frame_unit(mean, shape == TR_SHAPE_SPHERE ? "N" : "N/m");
     char number[32], label[64];
     tr_frame_number(number, sizeof number, mean, &unit, false);
-    snprintf(label, sizeof label, "force  f_n = %s %s", number, unit.name);
+    tr_words_fill(label, sizeof label, TR_SAY(cr, force_is), number, unit.name);
     tr_pen_hue(cr, TR_FAINT);
     tr_pen_line(cr, (tr_point){TR_PANEL_X, y - 8}, (tr_point){TR_PANEL_X + 48, y - 8}, width);
     tr_pen_text(cr, (tr_text){.x = TR_PANEL_X + 64, .y = y, .size = 22, .room = TR_PANEL_W - 64}, label);
 }
 
-void tr_frame_inset_numbers(const tr_view *view, char text[TR_INSET_NUMBERS]) {
+void tr_frame_inset_numbers(const tr_view *view, tr_language language, char text[TR_INSET_NUMBERS]) {
     const tr_patch_state *s = view->inset;
     tr_unit unit = {.size = 1, .decimals = 2};
     char law[24], exact[24];
     if (!(s->P > 0)) {
-        snprintf(text, TR_INSET_NUMBERS, "open");
+        snprintf(text, TR_INSET_NUMBERS, "%s", tr_words_of(language, TR_WORD_open));
         return;
     }
     tr_frame_number(law, sizeof law, view->inset_law, &unit, false);
     tr_frame_number(exact, sizeof exact, s->Q / (view->inset_pair->mu * s->P), &unit, false);
-    snprintf(text, TR_INSET_NUMBERS, "Q/(μP):  law %s, exact %s", law, exact);
+    tr_words_fill(text, TR_INSET_NUMBERS, tr_words_of(language, TR_WORD_inset_numbers), law, exact);
 }
 
 /* In the panel, where it covers no disk, from top to bottom; a line leads to its contact while there is one. */
@@ -261,8 +277,10 @@ static void draw_inset(cairo_t *cr, const tr_view *view, const tr_map *map, doub
     double part = r1 / (r1 + r2), ring = 0.5 * fmin(r1, r2);
     tr_point at = {p.x + part * (q.x - p.x), p.y + part * (q.y - p.y)}, to = {TR_PANEL_X - 12, 0.5 * (top + bottom)};
     char label[64], numbers[TR_INSET_NUMBERS];
-    snprintf(label, sizeof label, "contact %d-%d: exact on this path", view->inset_a, view->inset_b);
-    tr_frame_inset_numbers(view, numbers);
+    char a[16], b[16];
+    snprintf(a, sizeof a, "%d", view->inset_a), snprintf(b, sizeof b, "%d", view->inset_b);
+    tr_words_fill(label, sizeof label, TR_SAY(cr, inset_of), a, b);
+    tr_frame_inset_numbers(view, tr_say_language(cr), numbers);
     tr_pen_hue(cr, TR_INK);
     if (view->inset->P > 0 && tr_frame_seen(at, ring)) {
         double length = hypot(to.x - at.x, to.y - at.y);
@@ -299,6 +317,9 @@ void tr_draw_biaxial(tr_canvas *canvas, const tr_view *view) {
     if (tr_frame_images(view) > 1) pale(cr, view, &map);
     cairo_restore(cr);
     draw_walls(cr, view, &map);
-    if (view->inset) draw_inset(cr, view, &map, panel, y - 88);
+    if (view->inset)
+        draw_inset(cr, view, &map, panel, y - 88);
+    else if (view->history)
+        tr_frame_history(cr, (tr_box){TR_PANEL_X, panel, TR_PANEL_W, y - 88 - panel}, view->history);
     if (forces) draw_width_key(cr, view->world->shape, mean, mean_width(view, &map), y - 52);
 }

@@ -12,6 +12,7 @@
 
 #include "draw/frame.h"
 #include "draw/patch_plot.h"
+#include "draw/say.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -63,13 +64,13 @@ static void draw_velocity(cairo_t *cr, double v, double y, const char *body, con
 }
 
 static void draw_edges(cairo_t *cr, double v_roll) {
-    static const char *const name[] = {"enters", "leaves"};
+    static const tr_word_key name[] = {TR_WORD_enters, TR_WORD_leaves};
     for (int i = 0; i < 2 && v_roll != 0; i++) { /* v_roll > 0: enters at the left */
         double x = MIDDLE + ((v_roll > 0) == (i == 0) ? -1 : 1) * (REACH - 50);
         tr_text at = {.x = x, .y = CONTACT_Y - 3, .size = 22, .align = TR_CENTRE};
-        tr_pen_text(cr, at, "material");
+        tr_pen_text(cr, at, TR_SAY(cr, material));
         at.y += 24;
-        tr_pen_text(cr, at, name[i]);
+        tr_pen_text(cr, at, tr_say(cr, name[i]));
     }
 }
 
@@ -124,11 +125,12 @@ static void draw_stress_axis(cairo_t *cr, double most) {
 }
 
 static void draw_key(cairo_t *cr, double slip_range) {
-    static const char *const name[] = {"bound  |τ| ≤ μp, Hertz's p", "traction τ on 1  (−τ on 2)", "stick",
-                                       "slip of 2 against 1"};
+    static const tr_word_key name[] = {TR_WORD_patch_bound, TR_WORD_patch_traction, TR_WORD_patch_stick,
+                                       TR_WORD_patch_slip};
     const double x = TR_PANEL_X, y = TR_FRAME_HEIGHT - TR_EDGE - 72, middle[] = {y - 168, y - 130, y - 92, y - 54};
     for (int i = 0; i < 4; i++)
-        tr_pen_text(cr, (tr_text){.x = x + 64, .y = middle[i] + 8, .size = 24, .room = TR_PANEL_W - 64}, name[i]);
+        tr_pen_text(cr, (tr_text){.x = x + 64, .y = middle[i] + 8, .size = 24, .room = TR_PANEL_W - 64},
+                    tr_say(cr, name[i]));
     cairo_rectangle(cr, x, middle[0] - 12, 48, 24);
     tr_pen_hue(cr, TR_DISK);
     cairo_fill_preserve(cr);
@@ -142,13 +144,14 @@ static void draw_key(cairo_t *cr, double slip_range) {
     tr_pen_arrow(cr, (tr_point){x + 8, middle[3]}, (tr_point){x + 40, middle[3]}, 3);
     tr_unit unit = tr_frame_unit(slip_range, "m");
     if (slip_range > 0)
-        tr_frame_color_bar(cr, &(tr_scale){"slip in this step", slip_range, &unit, TR_RAMP_SLIDING, false}, y);
+        tr_frame_color_bar(cr, &(tr_scale){TR_SAY(cr, patch_scale), slip_range, &unit, TR_RAMP_SLIDING, false, false},
+                           y);
 }
 
 static double draw_head(cairo_t *cr, const tr_patch_view *view) {
     char done[16];
     snprintf(done, sizeof done, "%.0f %%", 100 * fmax(tr_patch_limited(view->progress), 0));
-    return tr_frame_head(cr, &(tr_head){view->title, "path", done, view->line, view->n_lines});
+    return tr_frame_head(cr, &(tr_head){view->title, TR_SAY(cr, patch_path), done, view->line, view->n_lines});
 }
 
 /* x if it can be drawn, else 0. */

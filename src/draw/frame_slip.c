@@ -3,6 +3,7 @@
  * enlarged. Widths are Hertz's of the forces: 2a ~ sqrt(f_n R_star), spheres ~ cbrt(f_n R_star). */
 #include "draw/frame_slip.h"
 
+#include "draw/say.h"
 #include "draw/stick.h"
 #include "laws/law.h"
 #include <math.h>
@@ -63,28 +64,27 @@ void tr_frame_slip(cairo_t *cr, const tr_view *view, const tr_map *map, double m
     }
 }
 
-const char *tr_frame_slip_limit(const tr_view *view) {
-    static const char *const limit[] = {"all of it or nothing: the law has no width",
-                                        "by Cattaneo, as if loaded from rest", "by Carter: what the law tends to"};
+const char *tr_frame_slip_limit(cairo_t *cr, const tr_view *view) {
+    static const tr_word_key limit[] = {TR_WORD_slip_whole, TR_WORD_slip_cattaneo, TR_WORD_slip_carter};
     const tr_law *law = view->world->group[0].slot[TR_FRICTION].law;
     bool sphere = view->world->shape == TR_SHAPE_SPHERE; /* Carter's contact is a line */
     if (!law || !law->step) return "";
-    return sphere && law->slip == TR_SLIPS_TRAILING ? "rolling steadily: what the law tends to" : limit[law->slip];
+    return tr_say(cr, sphere && law->slip == TR_SLIPS_TRAILING ? TR_WORD_slip_steady : limit[law->slip]);
 }
 
 void tr_frame_slip_key(cairo_t *cr, const tr_view *view, double y) {
     static const struct {
-        const char *name;
+        tr_word_key name;
         tr_hue hue;
-    } part[] = {{"sticks", TR_STICKS}, {"slips", TR_SLIDES}};
-    tr_pen_text(cr, (tr_text){.x = TR_PANEL_X, .y = y, .size = 24, .room = TR_PANEL_W}, "width of each contact");
+    } part[] = {{TR_WORD_sticks, TR_STICKS}, {TR_WORD_slips, TR_SLIDES}};
+    tr_pen_text(cr, (tr_text){.x = TR_PANEL_X, .y = y, .size = 24, .room = TR_PANEL_W}, TR_SAY(cr, slip_width));
     for (int i = 0; i < 2; i++) {
         double x = TR_PANEL_X + i * TR_PANEL_W / 2.0;
         tr_pen_hue(cr, part[i].hue);
         cairo_rectangle(cr, x, y + 16, 48, 20);
         cairo_fill(cr);
-        tr_pen_text(cr, (tr_text){.x = x + 60, .y = y + 34, .size = 24}, part[i].name);
+        tr_pen_text(cr, (tr_text){.x = x + 60, .y = y + 34, .size = 24}, tr_say(cr, part[i].name));
     }
     tr_pen_text(cr, (tr_text){.x = TR_PANEL_X, .y = y + 70, .size = 22, .room = TR_PANEL_W, .hue = TR_FAINT},
-                tr_frame_slip_limit(view));
+                tr_frame_slip_limit(cr, view));
 }

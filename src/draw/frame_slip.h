@@ -9,7 +9,7 @@
 void tr_frame_slip(cairo_t *cr, const tr_view *view, const tr_map *map, double mean);
 
 /* What the law of the view knows about the width: "by Carter: what the law tends to"; "" without friction. */
-const char *tr_frame_slip_limit(const tr_view *view);
+const char *tr_frame_slip_limit(cairo_t *cr, const tr_view *view);
 
 /* The key in the panel, instead of a colour bar. y: base line of its label [px]. */
 void tr_frame_slip_key(cairo_t *cr, const tr_view *view, double y);

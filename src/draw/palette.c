@@ -2,6 +2,8 @@
 /* Each palette is a few anchor colours, evenly spaced and interpolated straight in sRGB. */
 #include "draw/palette.h"
 
+#include <math.h>
+
 enum { N = 4 };
 static const unsigned ramps[][N] = {[TR_RAMP_PLAIN] = {0xD9CBDD, 0xB08BBB, 0x7F4A90, 0x3F1250},
                                     [TR_RAMP_SLIDING] = {0xF3D3BC, 0xE39A66, TR_SLIDES, 0x662900},
@@ -23,6 +25,11 @@ static tr_rgb interpolate(const unsigned *anchor, int n, double u) {
 
 tr_rgb tr_palette_ramp(tr_ramp ramp, double u) {
     return interpolate(ramps[ramp], N, u);
+}
+
+tr_rgb tr_palette_motion(double u) {
+    static const unsigned slides[] = {0xDDDDDD, 0xE39A66, TR_SLIDES}, rolls[] = {0xDDDDDD, 0x6D9AC4, TR_ROLLS};
+    return interpolate(u < 0 ? slides : rolls, 3, fabs(u));
 }
 
 tr_rgb tr_palette_diverging(double u) {

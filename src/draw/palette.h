@@ -39,6 +39,9 @@ tr_rgb tr_palette_hue(unsigned hue);
 /* u in 0..1, clamped; NaN counts as 0. Lightness falls strictly with u. */
 tr_rgb tr_palette_ramp(tr_ramp ramp, double u);
 
+/* u in -1..1, clamped; NaN counts as 0. From sliding alone to rolling alone, light grey where both are as fast. */
+tr_rgb tr_palette_motion(double u);
+
 /* u in -1..1, clamped; NaN counts as 0. Green below, light grey at, purple above 0; lightness falls with |u|. */
 tr_rgb tr_palette_diverging(double u);
 

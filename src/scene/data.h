@@ -18,7 +18,8 @@ typedef enum tr_color {
     TR_COLOR_SLIDING,
     TR_COLOR_ROLLING,
     TR_COLOR_SLIP,
-    TR_COLOR_SPIN
+    TR_COLOR_SPIN,
+    TR_COLOR_MOTION
 } tr_color;
 
 enum { TR_MAX_LAWS = 32 };   /* items of `laws:` */

@@ -195,9 +195,9 @@ static const tr_param output_bodies[] = {
      "pictures for a class: three numbers at most, large type; for an expert: all definitions, all numbers"},
 };
 static const tr_param output_biaxial[] = {
-    {"color", TR_CHOICE, TR_DIM_NUMBER, "", "mobilisation", 0, 0, "mobilisation|sliding|rolling|slip|spin", AT(color),
-     "colour of the contacts: |f_t|/(mu f_n), sliding or rolling velocity, the part of the width that slips; or of "
-     "the disks: how far each has turned"},
+    {"color", TR_CHOICE, TR_DIM_NUMBER, "", "motion", 0, 0, "mobilisation|sliding|rolling|slip|spin|motion", AT(color),
+     "what colours the contacts: rolling beside sliding (motion), |f_t|/(mu f_n), sliding or rolling velocity, the "
+     "share of the width that slips; or the disks: how far each has spun so far"},
     {"energy", TR_SWITCH, TR_DIM_NUMBER, "", "yes", 0, 0, NULL, AT(energy), "keep the energy ledger"},
     {"path_rows", TR_COUNT, TR_DIM_NUMBER, "", "0", 0, 1e6, NULL, AT(path_rows),
      "number of instants in paths.csv, the path of all contacts, for trundle replay; 0: no file"},

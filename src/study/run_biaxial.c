@@ -5,8 +5,10 @@
 
 #include "core/checkpoint.h"
 #include "core/step.h"
+#include "draw/canvas.h"
 #include "draw/field.h"
 #include "draw/frame_biaxial.h"
+#include "draw/words.h"
 #include "out/plot.h"
 #include "out/summary.h"
 #include "base/alloc.h"
@@ -31,6 +33,7 @@ typedef struct test {
     tr_run_report *report;
     tr_outputs out;
     tr_series series;
+    double *rolling_share, *unbalanced_share; /* of its rows, for the curves of a frame */
     tr_file disks;
     double *fill; /* of each disk: its colour value in frames, or a column of disks.csv */
     int *ends;    /* and how many contacts it has */
@@ -168,8 +171,11 @@ tr_view tr_run_biaxial_view(const tr_biaxial *b, char title[TR_RUN_TITLE]) {
     /* Rigid blocks would turn by about the strain, disks on either side of a slip line by a multiple of it. */
     double turn = fmax(1, round(18 * b->scene->shear.strain_end)) * 10 * M_PI / 180;
     const tr_slot *slot = b->world.group[0].slot;
-    snprintf(title, TR_RUN_TITLE, "Biaxial test   μ = %g, μ_r = %g", law_value(&slot[TR_FRICTION], "mu"),
-             law_value(&slot[TR_ROLLING], "mu_r"));
+    char mu[24], mu_r[24];
+    snprintf(mu, sizeof mu, "%g", law_value(&slot[TR_FRICTION], "mu"));
+    snprintf(mu_r, sizeof mu_r, "%g", law_value(&slot[TR_ROLLING], "mu_r"));
+    const char *title_of = tr_words_of((tr_language)b->scene->language, TR_WORD_biaxial_title);
+    tr_words_fill(title, TR_RUN_TITLE, title_of, mu, mu_r);
     return (tr_view){
         .world = &b->world,
         .color = color,
@@ -185,14 +191,27 @@ tr_view tr_run_biaxial_view(const tr_biaxial *b, char title[TR_RUN_TITLE]) {
 }
 
 static bool frame(test *t, int n_records, const tr_measures *m, tr_status *st) {
-    char text[5][48];
-    tr_view_line line[5] = {
-        {"strain", text[0]}, {"sin φ", text[1]}, {"void ratio", text[2]}, {"contacts", text[3]}, {"sliding", text[4]}};
+    static const tr_word_key label[] = {TR_WORD_strain,           TR_WORD_void_ratio,    TR_WORD_unbalanced,
+                                        TR_WORD_sliding_contacts, TR_WORD_rolling_share, TR_N_WORDS};
+    enum { LINES = 6 };
+    char text[LINES][48];
+    tr_view_line line[LINES];
+    for (int i = 0; i < LINES; i++) {
+        bool is_word = label[i] != TR_N_WORDS;
+        line[i] = (tr_view_line){is_word ? tr_words_of((tr_language)t->scene->language, label[i]) : "sin φ", text[i]};
+    }
     snprintf(text[0], sizeof text[0], "%.1f %%", 100 * t->state.strain);
-    snprintf(text[1], sizeof text[1], "%.2f", t->state.sin_phi);
-    snprintf(text[2], sizeof text[2], "%.3f", t->state.void_ratio);
-    snprintf(text[3], sizeof text[3], "%.0f", m->n_contacts);
-    snprintf(text[4], sizeof text[4], "%.0f %%", 100 * m->sliding_fraction);
+    snprintf(text[1], sizeof text[1], "%.3f", t->state.void_ratio);
+    snprintf(text[2], sizeof text[2], "%.1f %%", 100 * m->unbalanced);
+    snprintf(text[3], sizeof text[3], "%.0f %%", 100 * m->sliding_fraction);
+    snprintf(text[4], sizeof text[4], "%.0f %%", 100 * m->rolling_share);
+    snprintf(text[5], sizeof text[5], "%.2f", t->state.sin_phi);
+    const tr_series *s = &t->series;
+    for (int i = 0; i < s->n; i++)
+        t->rolling_share[i] = s->measures[i].rolling_share, t->unbalanced_share[i] = s->measures[i].unbalanced;
+    const tr_history history = {
+        s->n, s->strain, s->sin_phi, t->rolling_share, t->unbalanced_share, t->scene->shear.strain_end};
+    tr_canvas_speak(t->out.film.canvas, t->scene->language);
     tr_view view = t->view;
     view.record = t->out.records, view.n_records = n_records;
     if (view.fill) tr_frame_fill(&t->b.world, t->out.records, n_records, view.color, t->fill, t->ends);
@@ -202,7 +221,7 @@ static bool frame(test *t, int n_records, const tr_measures *m, tr_status *st) {
         view.inset_a = t->inset.pick.a, view.inset_b = t->inset.pick.b;
         view.inset_law = tr_inset_law(&t->inset, tr_recorder_now(&t->out.recorder, 0));
     }
-    view.line = line, view.n_lines = 5;
+    view.line = line, view.n_lines = LINES, view.history = &history;
     return tr_outputs_frame(&t->out, tr_draw_biaxial, &view, st);
 }
 
@@ -462,6 +481,8 @@ bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run
               (t->series.sin_phi = tr_alloc(rows, sizeof(double), st)) &&
               (t->series.void_ratio = tr_alloc(rows, sizeof(double), st)) &&
               (t->series.measures = tr_alloc(rows, sizeof(tr_measures), st)) &&
+              (t->rolling_share = tr_alloc(rows, sizeof(double), st)) &&
+              (t->unbalanced_share = tr_alloc(rows, sizeof(double), st)) &&
               (t->fill = tr_alloc(disks, sizeof(double), st)) && (t->ends = tr_alloc(disks, sizeof(int), st)) &&
               (!options->sample || tr_packing_check(scene, options->sample, st)) &&
               tr_run_open(scene, options, &t->resume, report, st);
@@ -484,7 +505,7 @@ bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run
     tr_inset_close(&t->inset);
     free(t->resume.bytes);
     free(t->series.strain), free(t->series.sin_phi), free(t->series.void_ratio);
-    free(t->series.measures);
+    free(t->series.measures), free(t->rolling_share), free(t->unbalanced_share);
     free(t->fill), free(t->ends), free(t);
     return ok;
 }

@@ -4,8 +4,10 @@
 #include "study/run_patch.h"
 
 #include "base/alloc.h"
+#include "draw/canvas.h"
 #include "draw/frame_patch.h"
 #include "out/table.h"
+#include "draw/words.h"
 #include "study/film.h"
 #include "study/inside.h"
 #include "study/schedule.h"
@@ -82,13 +84,14 @@ static bool draw(const tr_driven *d, tr_status *st) {
     const tr_patch_state *p = tr_inside_patch(s->inside);
     const tr_scene_segment *g = &d->scene->path[now->segment];
     char text[6][48];
-    const tr_view_line lines[] = {{"solver", solver_name[d->scene->patch.solver]},
-                                  {"normal force P", text[0]},
-                                  {"friction Q", text[1]},
+    const tr_language language = (tr_language)d->scene->language;
+    const tr_view_line lines[] = {{tr_words_of(language, TR_WORD_patch_solver), solver_name[d->scene->patch.solver]},
+                                  {tr_words_of(language, TR_WORD_patch_P), text[0]},
+                                  {tr_words_of(language, TR_WORD_patch_Q), text[1]},
                                   {"Q/μP", text[2]},
-                                  {"half-width a", text[3]},
-                                  {"slid so far", text[4]},
-                                  {"rolled so far", text[5]}};
+                                  {tr_words_of(language, TR_WORD_patch_a), text[3]},
+                                  {tr_words_of(language, TR_WORD_patch_slid), text[4]},
+                                  {tr_words_of(language, TR_WORD_patch_rolled), text[5]}};
     put(text[0], sizeof text[0], "%.4g kN/m", now->P / 1e3);
     put(text[1], sizeof text[1], "%.4g kN/m", now->Q / 1e3);
     put(text[2], sizeof text[2], "%.3f", now->q);
@@ -102,10 +105,12 @@ static bool draw(const tr_driven *d, tr_status *st) {
                           .a_max = tr_patch_a(&s->pair, s->P_max),
                           .p_max = tr_patch_p0(&s->pair, s->P_max),
                           .slip_max = s->slip_max,
-                          .progress = (double)d->done / (double)d->total,
-                          .title = *d->scene->lesson.title ? d->scene->lesson.title : "Inside the contact",
+                          .progress = (double)s->done / (double)s->total,
+                          .title = *d->scene->lesson.title ? d->scene->lesson.title
+                                                           : tr_words_of(language, TR_WORD_patch_title),
                           .line = lines,
                           .n_lines = sizeof lines / sizeof *lines};
+    tr_canvas_speak(s->film.canvas, d->scene->language);
     tr_draw_patch(s->film.canvas, &view);
     return tr_film_frame(&s->film, st);
 }

@@ -313,7 +313,7 @@ static void test_colour_bar_tells_its_middle(void **state) {
         tr_unit unit = tr_frame_unit(range[i], "m");
         tr_pen_hue(f->canvas->cr, TR_WHITE);
         cairo_paint(f->canvas->cr);
-        tr_frame_color_bar(f->canvas->cr, &(tr_scale){"", range[i], &unit, TR_RAMP_SLIDING, false}, 600);
+        tr_frame_color_bar(f->canvas->cr, &(tr_scale){"", range[i], &unit, TR_RAMP_SLIDING, false, false}, 600);
         tr_text at = {.x = TR_PANEL_X + TR_PANEL_W / 2.0, .y = 670, .size = 24, .align = TR_CENTRE};
         assert_true(reads(f, at, middle[i], TR_PANEL_X + 100, TR_PANEL_X + 300, 648, 690));
     }

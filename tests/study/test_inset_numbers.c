@@ -40,7 +40,7 @@ void __wrap_tr_draw_biaxial(tr_canvas *canvas, const tr_view *view);
 void __wrap_tr_draw_biaxial(tr_canvas *canvas, const tr_view *view) {
     char text[TR_INSET_NUMBERS];
     assert_true(n_shown < FRAMES);
-    tr_frame_inset_numbers(view, text);
+    tr_frame_inset_numbers(view, TR_EN, text);
     shown[n_shown].open = !strcmp(text, "open");
     shown[n_shown].time = view->time;
     radius[0] = view->world->disks.pos[4 * view->inset_a + 3],
