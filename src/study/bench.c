@@ -7,7 +7,7 @@
 #include "core/step.h"
 #include "draw/canvas.h"
 #include "draw/frame_biaxial.h"
-#include "study/run_biaxial.h"
+#include "study/biaxial_view.h"
 #include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -5,6 +5,7 @@
 #include "base/alloc.h"
 #include "out/dir.h"
 #include "study/convert_frames.h"
+#include "base/math.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -75,7 +76,7 @@ static bool needs_point(const tr_frame_at *at, const tr_frame_contact *c, double
     const tr_frame_disk *b = &at->disk[c->b], *a = c->a < 0 ? NULL : &at->disk[c->a];
     double L = b->radius + (a ? a->radius : 0) - c->overlap;
     from[0] = b->x - L * c->nx, from[1] = b->y - L * c->ny;
-    return !a || hypot(a->x - from[0], a->y - from[1]) > 1e-3 * b->radius;
+    return !a || tr_hypot(a->x - from[0], a->y - from[1]) > 1e-3 * b->radius;
 }
 
 static void vtk_points(FILE *out, const tr_frame_at *at, int points) {

@@ -4,16 +4,11 @@
 #define TR_RUN_BIAXIAL_H
 
 #include "core/biaxial.h"
-#include "draw/draw.h"
 #include "study/report.h"
 
 bool tr_run_biaxial(const tr_scene *scene, const tr_run_options *options, tr_run_report *report, tr_status *st);
 
 /* For tr_run_check. Returns the later summary, or NULL after an error. */
 char *tr_run_check_biaxial(const tr_scene *scene, tr_run_report *report, tr_status *st);
-
-/* Settings that are equal in all frames of a biaxial test: one scale and one box for the whole film. */
-enum { TR_RUN_TITLE = 96 };
-tr_view tr_run_biaxial_view(const tr_biaxial *b, char title[TR_RUN_TITLE]);
 
 #endif

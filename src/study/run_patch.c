@@ -105,7 +105,7 @@ static bool draw(const tr_driven *d, tr_status *st) {
                           .a_max = tr_patch_a(&s->pair, s->P_max),
                           .p_max = tr_patch_p0(&s->pair, s->P_max),
                           .slip_max = s->slip_max,
-                          .progress = (double)s->done / (double)s->total,
+                          .progress = (double)d->done / (double)d->total,
                           .title = *d->scene->lesson.title ? d->scene->lesson.title
                                                            : tr_words_of(language, TR_WORD_patch_title),
                           .line = lines,

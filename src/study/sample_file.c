@@ -5,6 +5,7 @@
 #include "base/hash.h"
 #include "core/world.h"
 #include "study/csv.h"
+#include "base/math.h"
 #include <errno.h>
 #include <math.h>
 #include <stdarg.h>
@@ -212,7 +213,7 @@ static bool check_pair(const packing *p, const disk *one, const disk *two, bool 
     double dx = two->at[X] - one->at[X], dy = two->at[Y] - one->at[Y];
     double width = p->box[0][1] - p->box[0][0], height = p->box[1][1] - p->box[1][0];
     if (periodic) dx -= width * rint(dx / width), dy -= height * rint(dy / height);
-    double overlap = one->at[R] + two->at[R] - hypot(dx, dy), least = fmin(one->at[R], two->at[R]);
+    double overlap = one->at[R] + two->at[R] - tr_hypot(dx, dy), least = fmin(one->at[R], two->at[R]);
     if (overlap <= TR_LARGEST_OVERLAP * least) return true;
     const disk *last = one->line > two->line ? one : two, *first = last == one ? two : one;
     return fail(p, last->line,
