@@ -4,22 +4,39 @@
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "core/cell.h"
+#include <stdlib.h>
 #include <string.h>
 
-enum { BEHIND = 3 }; /* gather reads four contacts at a time: valid ids after the end of the list */
+enum {
+    BEHIND = 3, /* gather reads four contacts at a time: valid ids behind the end of the list */
+    LINE = 8,   /* doubles in a cache line */
+};
+
+/* All histories and pair constants in one block, each an odd number of cache lines behind the one before. Large arrays that
+ * are allocated one by one begin at the same place of a page; a law with many of them found few of its numbers in the
+ * first-level cache. */
+static bool grow_rows(tr_group *g, size_t keep, size_t length, tr_status *st) {
+    double *block = tr_alloc((size_t)(g->n_hist + g->n_pair + 1) * length, sizeof *block, st), *row = block;
+    if (!block) return false;
+    for (int k = 0; k < g->n_hist + g->n_pair; k++, row += length) {
+        double **array = k < g->n_hist ? &g->hist[k] : &g->pair[k - g->n_hist];
+        if (*array) memcpy(row, *array, keep * sizeof *row);
+        *array = row;
+    }
+    free(g->block);
+    g->block = block, g->spare = row;
+    return true;
+}
 
 bool tr_list_reserve(tr_group *g, int n, tr_status *st) {
     bool whole = !g->n_hist || g->hist[g->n_hist - 1]; /* a sink may have been added since */
     if (whole && n + BEHIND <= g->capacity) return true;
-    size_t now = (size_t)g->n, old = (size_t)g->old_n, both = now > old ? now : old;
-    size_t grown = (size_t)n + (size_t)n / 4 + TR_TILE;
+    size_t now = (size_t)g->n, old = (size_t)g->old_n;
+    size_t grown = (((size_t)n + (size_t)n / 4 + TR_TILE) / LINE | 1) * LINE;
     bool ok = tr_alloc_grow(&g->a, now, grown, sizeof(int), st) && tr_alloc_grow(&g->b, now, grown, sizeof(int), st) &&
               tr_alloc_grow(&g->old_a, old, grown, sizeof(int), st) &&
               tr_alloc_grow(&g->old_b, old, grown, sizeof(int), st) &&
-              tr_alloc_grow(&g->source, 0, grown, sizeof(int), st) &&
-              tr_alloc_grow(&g->spare, 0, grown, sizeof(double), st);
-    for (int k = 0; ok && k < g->n_hist; k++) ok = tr_alloc_grow(&g->hist[k], both, grown, sizeof(double), st);
-    for (int k = 0; ok && k < g->n_pair; k++) ok = tr_alloc_grow(&g->pair[k], both, grown, sizeof(double), st);
+              tr_alloc_grow(&g->source, 0, grown, sizeof(int), st) && grow_rows(g, now > old ? now : old, grown, st);
     if (ok) g->capacity = (int)grown;
     return ok;
 }

@@ -29,9 +29,7 @@ bool tr_world_init(tr_world *world, int n, tr_shape shape, tr_status *st) {
 }
 
 void tr_group_free(tr_group *g) {
-    free(g->a), free(g->b), free(g->old_a), free(g->old_b), free(g->source), free(g->spare);
-    for (int k = 0; k < TR_GROUP_HIST; k++) free(g->hist[k]);
-    for (int k = 0; k < TR_GROUP_PAIR; k++) free(g->pair[k]);
+    free(g->a), free(g->b), free(g->old_a), free(g->old_b), free(g->source), free(g->block);
     *g = (tr_group){.walls = g->walls};
 }
 

@@ -142,6 +142,7 @@ struct tr_group {
     /* while a list is renewed, see list.h: the old list, the old place of each contact (-1: none), a spare array */
     int old_n, *old_a, *old_b, *source;
     double *spare;
+    double *block; /* that holds hist, pair and spare */
 };
 
 /* Energy by mechanism; see ledger.h. */

@@ -8,9 +8,17 @@
 /* Of mu P: breakpoints that change Q by less are rounding errors of the positions. */
 static const double NOTHING = 1e-12;
 
+/* Of s: so near, a tangent of P errs by its square. */
+static const double NEAR = 1e-9;
+
+static void rise(tr_bed *b, int k) {
+    b->rise[k] = (b->P[k] - b->P[k - 1]) / (b->s[k] - b->s[k - 1]);
+}
+
 static void push(tr_bed *b, double s, double e, double P) {
     b->s[b->n] = s, b->P[b->n] = P;
-    b->e[b->n] = e + 0.0; /* no -0: it would not survive e += 0 */
+    b->e[b->n] = e + 0.0; /* no -0, which would not outlive e += 0 */
+    if (b->n) rise(b, b->n);
     b->n++;
 }
 
@@ -18,11 +26,24 @@ static tr_elastic curve(const tr_bed *b, double s) {
     return b->data->normal->elastic(b->data->normal_par, b->R1, b->R2, s);
 }
 
-/* The change of kappa Q if the chord replaces breakpoint k. */
-static double share(const double *s, const double *e, const double *P, int k) {
+static double slope_of(const tr_bed *b, double s, double P) {
+    return b->data->normal->slope(b->data->normal_par, s, P);
+}
+
+/* P(s) at the edge of slip. Trials come close to where the step ends. */
+static double edge(tr_bed *b, double s) {
+    double from = s - b->asked;
+    if (fabs(from) <= NEAR * s) return b->asked_P + from * slope_of(b, b->asked, b->asked_P);
+    b->asked = s, b->asked_P = curve(b, s).force;
+    return b->asked_P;
+}
+
+/* By how much kappa Q changes where breakpoint k gives way to the chord over it. */
+static double share(const tr_bed *b, int k) {
+    const double *s = b->s, *e = b->e;
     double left = s[k] - s[k - 1], right = s[k + 1] - s[k];
     double above = e[k] - (e[k - 1] * right + e[k + 1] * left) / (left + right);
-    return fabs(above * ((P[k + 1] - P[k]) / right - (P[k] - P[k - 1]) / left));
+    return fabs(above * (b->rise[k + 1] - b->rise[k]));
 }
 
 static void drop(double *of, int k, int n) {
@@ -32,7 +53,7 @@ static void drop(double *of, int k, int n) {
 /* Drops breakpoints without effect, and those that do not fit, smallest effect first. A second call changes nothing. */
 static void thin(tr_bed *b) {
     double lost[TR_BED_POINTS + 1];
-    for (int k = 1; k < b->n - 1; k++) lost[k] = share(b->s, b->e, b->P, k);
+    for (int k = 1; k < b->n - 1; k++) lost[k] = share(b, k);
     while (b->n > 2) {
         int k = 1;
         for (int j = 2; j < b->n - 1; j++)
@@ -42,9 +63,12 @@ static void thin(tr_bed *b) {
             b->merged += b->merged < INT_MAX;
         }
         b->n--;
-        drop(b->s, k, b->n), drop(b->e, k, b->n), drop(b->P, k, b->n), drop(lost, k, b->n - 1);
-        if (k > 1) lost[k - 1] = share(b->s, b->e, b->P, k - 1);
-        if (k < b->n - 1) lost[k] = share(b->s, b->e, b->P, k);
+        if (k < b->kept) b->kept = k;
+        drop(b->s, k, b->n), drop(b->e, k, b->n), drop(b->P, k, b->n), drop(b->rise, k, b->n);
+        drop(lost, k, b->n - 1);
+        rise(b, k);
+        if (k > 1) lost[k - 1] = share(b, k - 1);
+        if (k < b->n - 1) lost[k] = share(b, k);
     }
 }
 
@@ -56,7 +80,7 @@ static double capped(const tr_bed *b, double Q, double P) {
 double tr_bed_force(const tr_bed *b, double *below) {
     double sum = below[0] = 0;
     for (int k = 1; k < b->n; k++) {
-        sum += (b->e[k - 1] - b->e[k]) * ((b->P[k] - b->P[k - 1]) / (b->s[k] - b->s[k - 1]));
+        sum += (b->e[k - 1] - b->e[k]) * b->rise[k];
         below[k] = sum;
     }
     return b->n ? capped(b, sum / b->kappa, b->P[b->n - 1]) : 0;
@@ -74,6 +98,7 @@ static void move(tr_bed *b, double delta, double P, double du) {
         b->n--, gone = true;
         s = b->s[b->n], e = b->e[b->n];
     }
+    if (b->n < b->kept) b->kept = b->n;
     if (gone && !b->n)
         push(b, 0, copysign(b->cap * delta, e), 0);
     else if (gone) {
@@ -81,7 +106,7 @@ static void move(tr_bed *b, double delta, double P, double du) {
         if (s > delta) e = e0 + (e - e0) * ((delta - s0) / (s - s0)), s = delta;
         double room0 = b->cap * (delta - s0) - (e < 0 ? -e0 : e0), room = b->cap * (delta - s) - fabs(e);
         double at = s0 + (s - s0) * (room0 / (room0 - room));
-        if (at > s0 && at < delta) push(b, at, copysign(b->cap * (delta - at), e), curve(b, at).force);
+        if (at > s0 && at < delta) push(b, at, copysign(b->cap * (delta - at), e), edge(b, at));
     }
     for (int k = 0; k < b->n; k++) { /* rounding */
         double most = b->cap * (delta - b->s[k]);
@@ -97,14 +122,15 @@ double tr_bed_advance(tr_bed *b, double delta, double P, double du) {
     return tr_bed_force(b, below);
 }
 
-/* The result of tr_bed_advance, from sums that do not change when all e shift. */
-double tr_bed_trial(const tr_bed *b, const double *below, double delta, double P, double du, double *slope) {
+/* What tr_bed_advance would give, from sums that a shift of all e leaves as they are. */
+double tr_bed_trial(tr_bed *b, const double *below, double delta, double P, double du, double *slope) {
     int k = b->n - 1;
     bool sticks = k < 0 || b->s[k] < delta;
-    double e = k < 0 ? du : b->e[0] + du, s = k < 0 ? 0 : b->s[k], old = k < 0 ? 0 : b->P[k];
+    double s = k < 0 ? 0 : b->s[k], old = k < 0 ? 0 : b->P[k];
     *slope = 0;
-    if (fabs(e) >= b->cap * delta) return copysign(b->mu * P, e); /* the caps are the steepest: all the bed slips */
-    if (sticks && !(fabs(du) > b->cap * (delta - s))) {           /* so is NaN */
+    if (tr_bed_slips(b, delta, du, 1)) return b->mu * P;
+    if (tr_bed_slips(b, delta, du, -1)) return -b->mu * P;
+    if (sticks && !(fabs(du) > b->cap * (delta - s))) { /* so is NaN */
         *slope = (P - old) / (delta - s) / b->kappa;
         return capped(b, (k < 0 ? 0 : below[k] / b->kappa) + du * *slope, P);
     }
@@ -117,10 +143,10 @@ double tr_bed_trial(const tr_bed *b, const double *below, double delta, double P
     double room0 = b->cap * (delta - s0) - sign * e0, room = b->cap * (delta - end) - sign * e_end;
     double at = s0 + (end - s0) * (room0 / (room0 - room));
     if (!(at > s0)) at = s0;
-    tr_elastic edge = curve(b, at);
-    double rest = at > s0 ? (e0 - sign * b->cap * (delta - at)) * ((edge.force - b->P[k]) / (at - s0)) : 0;
-    *slope = edge.stiffness / b->kappa;
-    return capped(b, (below[k] + rest) / b->kappa + sign * b->mu * (P - edge.force), P);
+    double P_at = at > s0 ? edge(b, at) : b->P[k];
+    double rest = at > s0 ? (e0 - sign * b->cap * (delta - at)) * ((P_at - b->P[k]) / (at - s0)) : 0;
+    *slope = at > 0 ? slope_of(b, at, P_at) / b->kappa : 0;
+    return capped(b, (below[k] + rest) / b->kappa + sign * b->mu * (P - P_at), P);
 }
 
 /* What all contacts share. */
@@ -142,13 +168,20 @@ static void load(tr_bed *b, const tr_tile *tile, int i) {
     double *const *hist = b->data->hist, *const *point = hist + 2;
     b->R1 = tile->R1[i], b->R2 = tile->R2[i];
     b->n = count(hist[0][c], TR_BED_POINTS), b->merged = count(hist[1][c], INT_MAX);
-    for (int k = 0; k < b->n; k++, point += 3) b->s[k] = point[0][c], b->e[k] = point[1][c], b->P[k] = point[2][c];
+    for (int k = 0; k < b->n; k++, point += 3) {
+        b->s[k] = point[0][c], b->e[k] = point[1][c], b->P[k] = point[2][c];
+        if (k) rise(b, k);
+    }
+    b->kept = b->n, b->asked = 0;
 }
 
 static void store(const tr_bed *b, int c) {
     double *const *hist = b->data->hist, *const *point = hist + 2;
     hist[0][c] = b->n, hist[1][c] = b->merged;
-    for (int k = 0; k < b->n; k++, point += 3) point[0][c] = b->s[k], point[1][c] = b->e[k], point[2][c] = b->P[k];
+    for (int k = 0; k < b->n; k++, point += 3) {
+        point[1][c] = b->e[k];
+        if (k >= b->kept) point[0][c] = b->s[k], point[2][c] = b->P[k];
+    }
 }
 
 void tr_bed_step(tr_tile *tile, const tr_law_data *data, tr_bed_displacement *displacement) {

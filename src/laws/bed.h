@@ -61,10 +61,13 @@ typedef struct tr_bed_par {
 /* One contact, taken out of the history. */
 typedef struct tr_bed {
     const tr_law_data *data;
-    double R1, R2, mu, kappa, cap;                     /* cap = mu kappa */
+    double R1, R2, mu, kappa, cap; /* cap = mu kappa */
     int n, most, merged;                               /* most: of n */
+    int kept;                                          /* so many points, the lowest, have the s and P of the history */
     double s[TR_BED_POINTS + 1], e[TR_BED_POINTS + 1]; /* s[0] = 0 <...< s[n-1] = delta, e[n-1] = 0; n = 0: fresh */
     double P[TR_BED_POINTS + 1];                       /* P(s) */
+    double rise[TR_BED_POINTS + 1];                    /* rise[k]: of P over the piece from s[k-1] to s[k] */
+    double asked, asked_P;                             /* the last place at which the normal law was asked, P there */
 } tr_bed;
 
 /* Q of the present bed [N/m]; below[k]: the part of kappa Q from 0 to s[k]. */
@@ -73,9 +76,13 @@ double tr_bed_force(const tr_bed *bed, double *below);
 /* One step to the overlap delta > 0, where the elastic force is P, with the tangential displacement du; returns Q. */
 double tr_bed_advance(tr_bed *bed, double delta, double P, double du);
 
-/* Q, and dQ/ddu [Pa], for a trial du of the present bed: from the parts `below` of tr_bed_force, which du does not
- * change. */
-double tr_bed_trial(const tr_bed *bed, const double *below, double delta, double P, double du, double *slope);
+/* What Q would be, and dQ/ddu [Pa], of the bed as it is: by the parts below of tr_bed_force, which du does not change. */
+double tr_bed_trial(tr_bed *bed, const double *below, double delta, double P, double du, double *slope);
+
+/* Whether all of the bed would slip, towards +du or, side = -1, towards -du. */
+static inline bool tr_bed_slips(const tr_bed *bed, double delta, double du, double side) {
+    return side * ((bed->n ? bed->e[0] : 0) + du) >= bed->cap * delta; /* the caps are the steepest */
+}
 
 /* The displacement of the bed of contact i in this step: sliding less the part that rolling takes away. */
 typedef double tr_bed_displacement(tr_bed *bed, const tr_tile *tile, const tr_law_data *data, int i);

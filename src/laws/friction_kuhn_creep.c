@@ -45,45 +45,66 @@ static double greatest_creep(const tr_creep_par *p, tr_shape shape, double R1, d
 
 /* The bed before the step, and the displacement x0 - side creep w of a trial. */
 typedef struct trial {
-    const tr_bed *bed;
+    tr_bed *bed;
     double below[TR_BED_POINTS + 1];
     double delta, P, x0, side, creep, most; /* most: mu P */
     bool sphere;
 } trial;
 
-static double pushed(const trial *t, double x) {
-    double slope;
-    return tr_bed_trial(t->bed, t->below, t->delta, t->P, x, &slope);
+/* 1 - (1 - q)^(1/p), all digits. */
+static double used(bool sphere, double q) {
+    double y = sphere ? tr_cbrt(1 - q) : sqrt(1 - q);
+    return q / (1 + y + (sphere ? y * y : 0));
 }
 
-static double excess(const trial *t, double w, double *slope) {
-    double q = t->sphere ? w * (3 - w * (3 - w)) : w * (2 - w), dq = t->sphere ? 3 * (1 - w) * (1 - w) : 2 * (1 - w);
-    double Q = tr_bed_trial(t->bed, t->below, t->delta, t->P, t->x0 - t->side * t->creep * w, slope);
-    *slope = t->most * dq + t->creep * *slope;
-    return t->most * q - t->side * Q;
+static double displaced(const trial *t, double w) {
+    return t->x0 - t->side * t->creep * w;
 }
 
-/* The root of excess in [0, 1] by Newton's method from w; steps out of the bracket are halved. Since slope > creep
- * dQ/dx, the excess bounds the error of Q. From 1e-12 mu P, the precision of the bed, a last step reaches rounding. */
-static double root(const trial *t, double w) {
-    double a = 0, b = 1, slope;
-    if (excess(t, 1, &slope) <= 0) return 1; /* full slip */
+static double pushed(const trial *t, double x, double *slope) {
+    return tr_bed_trial(t->bed, t->below, t->delta, t->P, x, slope);
+}
+
+/* What is left at w, excess = mu P (1 - (1 - w)^p) - side Q, its slope by w, and the second one but for that of J. */
+typedef struct attempt {
+    double w, Q, excess, slope, bend;
+} attempt;
+
+static attempt try(const trial *t, double w) {
+    double y = 1 - w, q = t->sphere ? w * (3 - w * (3 - w)) : w * (2 - w), dq = t->sphere ? 3 * y * y : 2 * y, slope;
+    double Q = pushed(t, displaced(t, w), &slope);
+    return (attempt){w, Q, t->most * q - t->side * Q, t->most * dq + t->creep * slope,
+                     -t->most * (t->sphere ? 6 * y : 2)};
+}
+
+/* The root of excess in [0, 1], from the first attempt on. J is taken as straight, so that a parabola is left to be solved: each
+ * time what is left of the error is its square. What leaves the bracket is halved. As slope > creep dQ/dx, excess bounds the error of
+ * Q; from 1e-8 mu P a last step leaves rounding. */
+static double root(const trial *t, attempt now) {
+    double a = 0, b = 1;
+    if (tr_bed_slips(t->bed, t->delta, displaced(t, 1), t->side)) return 1;
     for (int n = 0; n < 100; n++) {
-        double f = excess(t, w, &slope), next = w - f / slope;
+        double f = now.excess, next = now.w - 2 * f / (now.slope + sqrt(now.slope * now.slope - 2 * now.bend * f));
         if (f < 0)
-            a = w;
+            a = now.w;
         else
-            b = w;
-        if (fabs(f) <= 1e-12 * t->most) return fmin(fmax(next, a), b);
-        w = next > a && next < b ? next : 0.5 * (a + b);
+            b = now.w;
+        if (fabs(f) <= 1e-8 * t->most) return fmin(fmax(next, a), b);
+        double w = next > a && next < b ? next : 0.5 * (a + b);
         if (w <= a || w >= b) return a;
+        now = try(t, w);
     }
     return a;
 }
 
+/* The weight of the end of the step; next terms are z^5/30240. */
+static double weight(double z) {
+    return z > 0.05 ? -1 / tr_expm1(-z) - 1 / z : 0.5 + z / 12 * (1 - z * z / 60);
+}
+
 static double displacement(tr_bed *bed, const tr_tile *tile, const tr_law_data *data, int i) {
     const tr_creep_par *p = data->par;
-    double slide = tile->v_s[i] * tile->dt, roll = tr_creep_roll(p, tile, i), P = tile->f_elastic[i];
+    double slide = tile->v_s[i] * tile->dt, roll = tr_creep_roll(p, tile, i), P = tile->f_elastic[i], slope;
     if (!(roll > 0)) return slide;
     bool sphere = data->shape == TR_SHAPE_SPHERE;
     trial t = {.bed = bed, .delta = tile->delta[i], .P = P, .most = p->bed.mu * P, .sphere = sphere};
@@ -91,20 +112,25 @@ static double displacement(tr_bed *bed, const tr_tile *tile, const tr_law_data *
     double most_before = p->bed.mu * P_before;
     double creep_before = greatest_creep(p, data->shape, bed->R1, bed->R2, P_before) * roll;
     if (!(creep_before > 0 && most_before > 0)) return slide;
-    double q = fabs(before) / most_before, y = sphere ? tr_cbrt(1 - q) : sqrt(1 - q), y2 = sphere ? y * y : y;
-    double w = q / (1 + y + (sphere ? y2 : 0)); /* 1 - y, all digits */
-    double k = data->normal->elastic(data->normal_par, bed->R1, bed->R2, tile->delta[i]).stiffness / bed->kappa;
-    double z = k / most_before * (creep_before / (power * y2));
-    double theta = z > 1e-3 ? -1 / tr_expm1(-z) - 1 / z : 0.5 + z / 12; /* the next term is z^3/720 */
-    t.x0 = slide - copysign((1 - theta) * creep_before * w, before);
-    double first = pushed(&t, t.x0);
-    if (first * before < 0) { /* J rises with x: only then creep may reverse it */
-        double without = pushed(&t, slide);
-        if (first * without < 0) theta = 1, t.x0 = slide, first = without;
+    double w = used(sphere, fabs(before) / most_before), y = 1 - w;
+    double k = data->normal->slope(data->normal_par, t.delta, P) / bed->kappa;
+    double theta = weight(k / most_before * (creep_before / (power * (sphere ? y * y : y))));
+    double creep = greatest_creep(p, data->shape, bed->R1, bed->R2, P) * roll;
+    t.side = before < 0 ? -1 : 1;
+    t.x0 = slide - t.side * (1 - theta) * creep_before * w;
+    t.creep = theta * creep;
+    attempt now = try(&t, w);
+    if (!(t.side * now.Q > 0)) { /* else, as J rises with x, J(x0) has that side too */
+        double first = pushed(&t, t.x0, &slope);
+        if (first * before < 0) { /* only then creep may turn it over */
+            double without = pushed(&t, slide, &slope);
+            if (first * without < 0) t.creep = creep, t.x0 = slide, first = without;
+        }
+        if (first == 0) return t.x0;
+        t.side = first < 0 ? -1 : 1;
+        now = try(&t, w);
     }
-    t.side = first < 0 ? -1 : 1;
-    t.creep = theta * greatest_creep(p, data->shape, bed->R1, bed->R2, P) * roll;
-    return t.x0 - t.side * t.creep * (first == 0 ? 0 : root(&t, w));
+    return displaced(&t, root(&t, now));
 }
 
 static void step(tr_tile *tile, const tr_law_data *data) {
@@ -113,10 +139,10 @@ static void step(tr_tile *tile, const tr_law_data *data) {
 
 static void creep(const tr_tile *tile, const tr_law_data *data, double *u) {
     const tr_creep_par *p = data->par;
-    double power = data->shape == TR_SHAPE_SPHERE ? 3 : 2;
+    bool sphere = data->shape == TR_SHAPE_SPHERE;
     for (int i = 0; i < tile->n; i++) {
         double P = tile->f_elastic[i], q = P > 0 ? fmin(1, fabs(tile->f_t[i]) / (p->bed.mu * P)) : 0;
-        double F = -tr_expm1(tr_log1p(-q) / power) * greatest_creep(p, data->shape, tile->R1[i], tile->R2[i], P);
+        double F = used(sphere, q) * greatest_creep(p, data->shape, tile->R1[i], tile->R2[i], P);
         u[i] = copysign(F * tr_creep_roll(p, tile, i), tile->f_t[i]);
     }
 }

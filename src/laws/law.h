@@ -195,6 +195,8 @@ struct tr_law {
      * these radii (R1 = 0: a wall, R1 < 0: a ring). */
     tr_elastic (*elastic)(const void *par, double R1, double R2, double delta);
     double (*overlap)(const void *par, double R1, double R2, double force);
+    /* Normal laws, of any radii: dP/ddelta at an overlap > 0 where the elastic force is P, by plain arithmetic. */
+    double (*slope)(const void *par, double delta, double P);
 };
 
 /* All claims of a law at its default options: those of its row, and TR_RATE_INDEPENDENT if it does not demand times. */

@@ -140,6 +140,12 @@ static double overlap(const void *par, double R1, double R2, double force) {
     return w < LEAST ? (force * (LEAST - 1) + 0.25 * l.K / l.scale) / l.K : force * w / l.K;
 }
 
+/* On the straight line past a = d, K delta/P is below LEAST. */
+static double slope(const void *par_, double delta, double P) {
+    double K = M_PI * ((const par *)par_)->E_star;
+    return K / (fmax(K * delta / P, LEAST) - 1);
+}
+
 static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *b) {
     const par *p = par_;
     double k = elastic(par_, b->R1, b->R2, b->delta).stiffness;
@@ -164,4 +170,5 @@ const tr_law tr_normal_hertz_line = {
     .stiffness = stiffness,
     .elastic = elastic,
     .overlap = overlap,
+    .slope = slope,
 };

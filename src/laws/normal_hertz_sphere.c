@@ -59,6 +59,11 @@ static double overlap(const void *par_, double R1, double R2, double force) {
     return x * x;
 }
 
+static double slope(const void *par_, double delta, double P) {
+    (void)par_;
+    return 1.5 * P / delta;
+}
+
 static tr_stiffness stiffness(const void *par_, const tr_pair_bodies *b) {
     const par *p = par_;
     double k = elastic(par_, b->R1, b->R2, b->delta).stiffness;
@@ -80,4 +85,5 @@ const tr_law tr_normal_hertz_sphere = {
     .stiffness = stiffness,
     .elastic = elastic,
     .overlap = overlap,
+    .slope = slope,
 };

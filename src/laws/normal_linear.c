@@ -63,6 +63,12 @@ static double overlap(const void *par_, double R1, double R2, double force) {
     return force / p->k_n;
 }
 
+static double slope(const void *par_, double delta, double P) {
+    const par *p = par_;
+    (void)delta, (void)P;
+    return p->k_n;
+}
+
 const tr_law tr_normal_linear = {
     .table = {"linear", "linear spring and dashpot, no attraction", params, .n = sizeof params / sizeof *params,
               .demands = TR_NEEDS_TIME},
@@ -77,4 +83,5 @@ const tr_law tr_normal_linear = {
     .stiffness = stiffness,
     .elastic = elastic,
     .overlap = overlap,
+    .slope = slope,
 };

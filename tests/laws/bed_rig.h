@@ -47,7 +47,11 @@ static inline tr_elastic quadratic(const void *par, double R1, double R2, double
     (void)par, (void)R1, (void)R2;
     return (tr_elastic){c * s * s, c * s * s * s / 3, 2 * c * s};
 }
-static const tr_law quadratic_law = {.table = {.name = "quadratic"}, .elastic = quadratic};
+static inline double quadratic_slope(const void *par, double s, double P) {
+    (void)par;
+    return 2 * P / s;
+}
+static const tr_law quadratic_law = {.table = {.name = "quadratic"}, .elastic = quadratic, .slope = quadratic_slope};
 
 static inline double rig_R_star(const rig *r) {
     return r->R1 > 0 ? 1 / (1 / r->R1 + 1 / r->R2) : r->R2;

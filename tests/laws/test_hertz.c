@@ -211,6 +211,20 @@ static void test_step(void **state) {
     for_both(check_step);
 }
 
+/* The stiffness from a force that is known is that of the curve, of every normal law; the line also past a = d. */
+static void test_slope(void **state) {
+    (void)state;
+    for (int i = 0; i < tr_laws_catalog()->n_normal; i++) {
+        const tr_law *law = tr_laws_normal[i];
+        memset(par, 0, sizeof par);
+        set(law, tr_law_value(law, par, "k_n") ? "k_n" : "E_star", E_STAR);
+        for (double delta = 1e-15; delta < 0.02; delta *= 1.7) {
+            tr_elastic e = law->elastic(par, 0.01, 0.03, delta);
+            assert_close(law->slope(par, delta, e.force), e.stiffness, 1e-14, 0); /* rounding */
+        }
+    }
+}
+
 /* Past a = d the line goes on straight. */
 static void test_past_the_depth(void **state) {
     (void)state;
@@ -331,10 +345,15 @@ static void test_sphere_from_pressure(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_force),          cmocka_unit_test(test_stiffness),
-        cmocka_unit_test(test_energy),         cmocka_unit_test(test_step),
-        cmocka_unit_test(test_past_the_depth), cmocka_unit_test(test_line_from_pressure),
-        cmocka_unit_test(test_default_depth),  cmocka_unit_test(test_sphere_from_pressure),
+        cmocka_unit_test(test_force),
+        cmocka_unit_test(test_stiffness),
+        cmocka_unit_test(test_energy),
+        cmocka_unit_test(test_slope),
+        cmocka_unit_test(test_step),
+        cmocka_unit_test(test_past_the_depth),
+        cmocka_unit_test(test_line_from_pressure),
+        cmocka_unit_test(test_default_depth),
+        cmocka_unit_test(test_sphere_from_pressure),
     };
     return cmocka_run_group_tests_name("hertz", tests, NULL, NULL);
 }
