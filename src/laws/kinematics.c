@@ -132,7 +132,7 @@ INLINE void move_edge(tr_tile *restrict tile, wall_arm *of) {
 INLINE void set_arms(tr_tile *restrict tile, arms_of *of, wall_arm *of_wall) {
     for (int i = 0; i < tile->n; i++) {
         double R1 = tile->R1[i], R2 = tile->R2[i], g1 = tile->g1[i], delta = tile->delta[i];
-        bool wall = !(g1 < 1);
+        bool wall = g1 == 1; /* of a ring g1 > 1 */
         arms r = of((contact){R1, R2, g1, R1 + R2 - delta, delta});
         tile->r1[i] = wall ? 0 : r.r1, tile->r2[i] = wall ? of_wall(R2, delta) : r.r2;
     }

@@ -65,7 +65,7 @@ typedef struct tr_tile {
 
 /* |X21| of contact i; of a wall, which has no centre, R2. Any arms of a scene. */
 static inline double tr_tile_length(const tr_tile *tile, int i) {
-    return tile->g1[i] < 1 ? tile->r1[i] + tile->r2[i] : tile->R2[i];
+    return tile->g1[i] != 1 ? tile->r1[i] + tile->r2[i] : tile->R2[i];
 }
 
 typedef struct tr_law tr_law;

@@ -78,7 +78,7 @@ TR_VECTOR void tr_resultant_rolling_apart(tr_tile *restrict tile, const tr_law_d
     (void)data;
     for (int i = 0; i < tile->n; i++) {
         double along = tile->f_t[i] + tile->f_r[i], L = tr_tile_length(tile, i), shared1 = tile->g1[i] * L;
-        shared1 = tile->g1[i] < 1 ? shared1 : 0;
+        shared1 = tile->g1[i] != 1 ? shared1 : 0;
         tile->fx[i] = tile->f_n[i] * tile->nx[i] - along * tile->ny[i];
         tile->fy[i] = tile->f_n[i] * tile->ny[i] + along * tile->nx[i];
         tile->q1[i] = tile->m1[i] - tile->r1[i] * tile->f_t[i] - shared1 * tile->f_r[i];

@@ -60,7 +60,7 @@ static void two_bodies(tr_world *w, tr_random *random, double Rr, double R, doub
     for (int i = 0; i < 2; i++)
         set_velocity(w, i, tr_random_uniform(random) - 0.5, tr_random_uniform(random) - 0.5,
                      4 * tr_random_uniform(random) - 2);
-    set_laws(w, (test_laws){1e6, 0, 0.5, 5e5, 0.2, 5e5, "wang"}, 0);
+    set_laws(w, (test_laws){1e6, 0, 0.5, 5e5, 0.2, 5e5, "wang", NULL}, 0);
     w->dt = 1e-6, w->allow_unstable = true;
 }
 
@@ -238,7 +238,7 @@ static void momenta_and_energy_of_a_free_ring(void **state) {
         tr_world w;
         tr_random random = tr_random_seed(5, 3);
         two_bodies(&w, &random, 0.1, 0.03, -0.01);
-        set_laws(&w, (test_laws){1e6, 0.1, 0.5, 5e5, 0.2, 5e5, "wang"}, TR_SINK_LEDGER);
+        set_laws(&w, (test_laws){1e6, 0.1, 0.5, 5e5, 0.2, 5e5, "wang", NULL}, TR_SINK_LEDGER);
         w.dt = 1e-4 / (1 + half);
         double momentum[2][3];
         forces(&w);
@@ -265,6 +265,44 @@ static void momenta_and_energy_of_a_free_ring(void **state) {
     }
     assert_true(residual[0] < 1e-3);
     assert_true(residual[1] < residual[0] / 2);
+}
+
+/* The same with a rolling law that also pulls, and with either arms: angular momentum stays. */
+static void a_force_of_rolling_in_a_ring_is_balanced(void **state) {
+    (void)state;
+    for (int k = 0; k < 2 * tr_n_arms; k++) {
+        tr_world w;
+        tr_random random = tr_random_seed(5, 4);
+        tr_status st = {0};
+        two_bodies(&w, &random, 0.1, 0.03, -0.01);
+        tr_scene_contact laws = contact_of((test_laws){1e6, 0.1, 0.5, 5e5, 0.2, 5e5, k % 2 ? "bagi-kuhn" : "alonso-min", NULL});
+        const tr_param_catalog *catalog = tr_laws_catalog();
+        laws.rolling = law_named(tr_laws_rolling, catalog->n_rolling, "conjugate-spring");
+        set_parameter(&laws.rolling, catalog->rolling[laws.rolling.law], "mu_r", 0.2);
+        set_parameter(&laws.rolling, catalog->rolling[laws.rolling.law], "k_r", 5e5);
+        laws.arms = k / 2;
+        assert_true(tr_world_set_laws(&w, &laws, false, 0, &st));
+        w.dt = 1e-5;
+        double before = 0, after = 0, pulled = 0;
+        forces(&w);
+        for (int step = 0; step < 100000; step++) {
+            after = 0;
+            for (int i = 0; i < 2; i++) {
+                const double *q = w.disks.pos + 4 * i, *v = w.disks.vel + 4 * i;
+                after += w.disks.mass[i] * (q[0] * v[1] - q[1] * v[0]) + w.disks.inertia[i] * v[2];
+            }
+            if (step == 0) before = after;
+            tr_record *r = NULL;
+            int capacity = 0;
+            if (step % 50 == 0 && tr_record_all(&w, &r, &capacity, &st)) pulled = fmax(pulled, fabs(r->f_r));
+            free(r);
+            tr_step_advance(&w);
+            forces(&w);
+        }
+        assert_true(pulled > 0);
+        assert_close(after, before, 0, 1e-11);
+        tr_world_free(&w);
+    }
 }
 
 /* ---- traps */
@@ -447,6 +485,7 @@ int main(void) {
         cmocka_unit_test(a_disk_leans_in_a_drum),
         cmocka_unit_test(planets_go_around),
         cmocka_unit_test(momenta_and_energy_of_a_free_ring),
+        cmocka_unit_test(a_force_of_rolling_in_a_ring_is_balanced),
         cmocka_unit_test(normal_laws_know_the_ring),
         cmocka_unit_test(a_disk_in_the_middle_has_no_normal),
         cmocka_unit_test(every_rolling_law_in_a_drum),
