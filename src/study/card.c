@@ -12,7 +12,7 @@ typedef struct spins {
     double beta, w1, w2;
 } spins;
 
-enum { MOTIONS = 7, FLOORS = 3, OBSERVERS = 3 };
+enum { MOTIONS = 8, FLOORS = 4, OBSERVERS = 3 };
 static const char *const observers[OBSERVERS] = {"resting", "moving", "turning"};
 
 static void make_spins(double R1, double R2, double L, spins all[MOTIONS]) {
@@ -25,6 +25,7 @@ static void make_spins(double R1, double R2, double L, spins all[MOTIONS]) {
         {"PS + RBR", -turn, 0, 0},                  /* is carried round it without turning */
         {"spin of 1", 0, 1 / R1, 0},
         {"spin of 2", 0, 0, 1 / R2},
+        {"mixed", 0, 1 / R1, -2 / R2}, /* both rims run the same way, 2 twice as fast: rolls and slides */
     };
     for (int k = 0; k < MOTIONS; k++) all[k] = made[k];
 }
@@ -38,11 +39,12 @@ static tr_motion pair_motion(const spins *s, double R1, double R2, double L) {
     return m;
 }
 
-/* A disk on a floor: rolling, sliding, spinning in place. */
+/* A disk on a floor: rolling, sliding, spinning in place, rolling with a rim that runs twice as fast. */
 static tr_motion floor_motion(int which, double overlap) {
     tr_motion m = {.R1 = INFINITY, .R2 = R_SMALL, .x1x = 0.02, .x1y = -0.01, .x2x = 0.02};
     m.x2y = m.x1y + R_SMALL - overlap;
-    m.v2x = which == 2 ? 0 : U, m.w2 = which == 0 ? -U / R_SMALL : which == 1 ? 0 : U / R_SMALL;
+    static const double v[FLOORS] = {1, 1, 0, 1}, w[FLOORS] = {-1, 0, 1, -2};
+    m.v2x = v[which] * U, m.w2 = w[which] * U / R_SMALL;
     return m;
 }
 
@@ -85,7 +87,7 @@ static void add_pairs(tr_card_row **next, double ratio, double part) {
 }
 
 static void add_floors(tr_card_row **next, double part) {
-    static const char *const names[FLOORS] = {"rolling", "sliding", "spinning"};
+    static const char *const names[FLOORS] = {"rolling", "sliding", "spinning", "mixed"};
     for (int k = 0; k < FLOORS; k++)
         for (int o = 0; o < 2; o++) { /* a floor does not turn */
             char label[sizeof(*next)->label];

@@ -17,7 +17,7 @@ typedef struct tr_card_row {
 
 /* Motions: of two disks in five ratios of radii, and of a disk on a floor; at two overlaps, by three observers (the
  * floor: two). Speed 0.01 m/s, smaller radius 0.01 m. */
-enum { TR_CARD_PAIRS = 7 * 5 * 2 * 3, TR_CARD_FLOORS = 3 * 2 * 2, TR_CARD_ROWS = 3 * (TR_CARD_PAIRS + TR_CARD_FLOORS) };
+enum { TR_CARD_PAIRS = 8 * 5 * 2 * 3, TR_CARD_FLOORS = 4 * 2 * 2, TR_CARD_ROWS = 3 * (TR_CARD_PAIRS + TR_CARD_FLOORS) };
 
 void tr_card_make(tr_card_row row[TR_CARD_ROWS]);
 void tr_card_write(FILE *out, const tr_card_row row[TR_CARD_ROWS]); /* CSV, 17 significant digits */

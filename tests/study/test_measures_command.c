@@ -262,6 +262,7 @@ static void test_card_for_codes(void **state) {
         assert_close(r.s2, one.s2, 0, TIGHT);
         if (!strncmp(row[i].label, "RBR", 3)) assert_close(fabs(r.s1) + fabs(r.s2), 0, 0, TIGHT);
         if (!strncmp(row[i].label, "PR", 2)) assert_close(r.s1, r.s2, 0, TIGHT);
+        if (strstr(row[i].label, "mixed")) assert_close(r.s2, 2 * r.s1, 0, TIGHT);
         if (!strncmp(row[i].label, "PS R", 4)) assert_close(by(&r, "Vs_wang"), 0.01, TIGHT, 0);
         if (strstr(row[i].label, "rolling")) assert_close(r.s1, r.s2, 0, TIGHT);
         double ratio = 0;

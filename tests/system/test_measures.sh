@@ -68,7 +68,7 @@ check 'have columns of their own' says arms.csv 'r1_shared,r2_shared,power_share
 check 'none is lost' equals "$(cut -d, -f1-35 arms.csv | cksum)" "$(cut -d, -f1-35 card.csv | cksum)"
 check 'a card for other codes' gives 0 --card motions.csv
 check 'says nothing then' equals "$(cat stdout stderr)" ''
-check 'three lines a motion' equals "$(wc -l <motions.csv)" 667
+check 'three lines a motion' equals "$(wc -l <motions.csv)" 769
 check 'which can be measured' gives 0 motions.csv --arms
 check 'all as wide as the head' is_silent awk -F, 'NR == 1 {n = NF} NF != n' motions.csv
 check 'a card and a table: 2' gives 2 --card motions.csv good.csv
