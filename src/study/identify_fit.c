@@ -291,6 +291,7 @@ static bool compare_observers(tr_fit *fit, const tr_question *q, const tr_identi
     qsort(s, (size_t)q->n, sizeof *s, by_motion);
     for (int k = 1, first = 0; k < q->n; k++) {
         if (by_motion(&s[first], &s[k]) != 0) first = k;
+        fit->pairs += first != k;
         double off = fabs(s[k].y - s[first].y) / (q->length ? fabs(s[first].y) : q->scale);
         if (off <= fmax(fit->differs, fmax(1e-6, fit->fits ? 4 * fit->error : 0))) continue;
         fit->differs = off, fit->line[0] = s[first].line, fit->line[1] = s[k].line;

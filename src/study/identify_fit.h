@@ -33,6 +33,7 @@ typedef struct tr_fit {
     /* two rows that show one motion to two observers, and differ; line[0] is 0: none */
     long line[2];
     double differs; /* by so much of the greatest answer */
+    int pairs;      /* rows that show a motion of another row, to another observer or the same */
 } tr_fit;
 
 bool tr_fit_question(tr_fit *fit, const tr_question *q, const tr_identify_table *table, const tr_states *states,

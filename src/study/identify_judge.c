@@ -273,8 +273,11 @@ static void judge_fit(tr_identified *f, int k) {
     tr_forms_words(&fit->best, words);
     if (!fit->fits) {
         f->unclear = true;
-        reason(f, "not recognised: %s is none of the tables; the nearest, %s, is off by %.3g of %s",
-               fit->question->name, words, fit->error, fit->question->length ? "it" : "the greatest");
+        bool blind = !fit->pairs && !fit->question->length;
+        reason(f, "not recognised: %s is none of the tables; the nearest, %s, is off by %.3g of %s%s",
+               fit->question->name, words, fit->error, fit->question->length ? "it" : "the greatest",
+               blind ? "; no two rows show one motion to two observers, so whether it depends on them is not told"
+                     : "");
     } else if (fit->n_ties) {
         f->unclear = true;
         reason(f, "not told apart: %s is %s, or %s%s: add the row below", fit->question->name, words,
