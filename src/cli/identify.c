@@ -24,7 +24,10 @@ static const struct argp_option options[] = {
 
 static void add_map(tr_identify_map *map, char *text, struct argp_state *state) {
     char *equals = strrchr(text, '=');
-    if (!equals || equals == text) argp_error(state, "--map takes MINE=OURS, not %s", text);
+    if (!equals || equals == text) {
+        argp_error(state, "--map takes MINE=OURS, not %s", text);
+        return; /* it does not come here */
+    }
     if (map->n == TR_IDENTIFY_MAPS) argp_error(state, "more than %d --map", TR_IDENTIFY_MAPS);
     *equals = '\0';
     if (!tr_identify_is_ours(equals + 1))

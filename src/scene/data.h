@@ -49,7 +49,7 @@ typedef struct tr_scene_sample {
     char file[256];       /* whose disks these are; "": thrown */
     uint64_t file_hash;   /* of what is in it; 0: not known */
     double width, height; /* of its box [m]; 0: that of the file, or around the disks */
-    double *place;        /* disks*4: x y . R in the box [0, side[0]] x [0, side[1]]; owned by the scene; NULL: not read */
+    double *place;        /* disks*4: x y . R in the box from 0 to side; owned by the scene; NULL: not read */
     double side[2];       /* [m] */
 } tr_scene_sample;
 

@@ -3,6 +3,7 @@
 
 #include <assert.h>
 #include <math.h>
+#include <string.h>
 
 static const double R_SMALL = 0.01, U = 0.01; /* [m], [m/s] */
 
@@ -114,8 +115,11 @@ void tr_card_write(FILE *out, const tr_card_row row[TR_CARD_ROWS]) {
     for (int i = 0; i < TR_CARD_ROWS; i++) {
         const tr_card_row *r = &row[i];
         fprintf(out, "%s,%s", r->label, r->experiment);
-        for (int k = 0; k < TR_MOTION_COLUMNS; k++)
-            fprintf(out, ",%.17g", *(const double *)((const char *)&r->motion + tr_motion_columns[k].offset) + 0.0);
+        for (int k = 0; k < TR_MOTION_COLUMNS; k++) {
+            double v;
+            memcpy(&v, (const char *)&r->motion + tr_motion_columns[k].offset, sizeof v);
+            fprintf(out, ",%.17g", v + 0.0);
+        }
         fprintf(out, ",%.17g,%g,%g,%g,%g,%g,%g\n", r->overlap, r->k_n, r->k_t, r->mu, r->k_roll, r->mu_r, r->time_s);
     }
 }

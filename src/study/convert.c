@@ -69,8 +69,8 @@ static void extxyz_disks(FILE *out, const tr_frames *f, int k) {
     }
 }
 
-/* ---- VTK, legacy, an unstructured grid: a vertex for each disk, a line for each contact, from a to b. Where a is a wall or
- * an image in a periodic cell the line begins at a point of its own, of radius 0. */
+/* ---- VTK, legacy, an unstructured grid: a vertex for each disk, a line for each contact, from a to b. Where a is
+ * a wall or an image in a periodic cell the line begins at a point of its own, of radius 0. */
 
 static bool needs_point(const tr_frame_at *at, const tr_frame_contact *c, double from[2]) {
     const tr_frame_disk *b = &at->disk[c->b], *a = c->a < 0 ? NULL : &at->disk[c->a];

@@ -5,9 +5,9 @@
 
 #include "base/status.h"
 
-/* Reads case.yaml, summary.json and the tables of the run in the directory `run`; writes into the directory `to`, which is
- * made, in the format of this name. files: how many were written. TR_BAD_CASE: not a finished run of disks, an unknown
- * format, a table that does not fit; TR_FILE. */
+/* Reads case.yaml, summary.json and the tables of the run in the directory `run`; writes into the directory `to`,
+ * which is made, in the format of this name. files: how many were written. TR_BAD_CASE: not a finished run of
+ * disks, an unknown format, a table that does not fit; TR_FILE. */
 bool tr_convert(const char *run, const char *format, const char *to, int *files, tr_status *st);
 
 extern const char tr_convert_formats[]; /* a line for each: "  NAME\tWHAT\n" */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* All three codes have V_r of wang in the rolling spring. LAMMPS, LIGGGHTS: M = k R_eff^2 (w1 - w2) t, |M| <= mu F_n R_eff.
- * YADE: M = k_s alpha R1 R2 (w1 - w2) t, |M| <= eta F_n min(R1, R2). Here: M = k_r R_eff^2 (w1 - w2) t, |M| <= mu_r F_n
- * R_eff. */
+/* All three codes have V_r of wang in the rolling spring. LAMMPS, LIGGGHTS: M = k R_eff^2 (w1 - w2) t, |M| <= mu
+ * F_n R_eff. YADE: M = k_s alpha R1 R2 (w1 - w2) t, |M| <= eta F_n min(R1, R2). Here: M = k_r R_eff^2 (w1 - w2) t,
+ * |M| <= mu_r F_n R_eff. */
 #include "study/counterparts.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The best form for the answers to a question, those that are the same, those that fit as well, and the motion that would
- * tell them apart. */
+/* The best form for the answers to a question, those that are the same, those that fit as well, and the motion
+ * that would tell them apart. */
 #ifndef TR_STUDY_IDENTIFY_FIT_H
 #define TR_STUDY_IDENTIFY_FIT_H
 

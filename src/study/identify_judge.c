@@ -114,8 +114,8 @@ static double rolling_power(const tr_identify *w, const tr_fit *M1, const tr_fit
     return of1 * v->w1 + of2 * v->w2;
 }
 
-/* The moments of a spring on V_r do the power -T V_r, if they are T dV_r/dw: of opposite moments V_r is a length times w1
- * - w2. Then the power over (w1 - w2)^2 is one number, below 0, at each place. */
+/* The moments of a spring on V_r do the power -T V_r, if they are T dV_r/dw: of opposite moments V_r is a length
+ * times w1 - w2. Then the power over (w1 - w2)^2 is one number, below 0, at each place. */
 static void judge_rolling_power(tr_identify *w) {
     tr_identified *f = &w->found;
     const tr_fit *M1 = told(f, TR_ASK_M1), *M2 = told(f, TR_ASK_M2), *one = M1 ? M1 : M2;

@@ -86,8 +86,8 @@ static void add_row(maker *m, int i) {
     add_moments(m, i);
 }
 
-/* An arm is a quotient: of forces that are nearly 0 it is noise. Caps too: of rows that do not roll. Neither is small beside
- * the radii: 1e-4 of the smaller one is below all levers, and above what such rows leave. */
+/* An arm is a quotient: of forces that are nearly 0 it is noise. Caps too: of rows that do not roll. Neither is
+ * small beside the radii: 1e-4 of the smaller one is below all levers, and above what such rows leave. */
 static void drop_small(tr_question *q, const tr_identify_table *t) {
     double most = 0;
     int kept = 0;

@@ -208,7 +208,8 @@ static int by_x(const void *a, const void *b) {
     return (p->at[X] > q->at[X]) - (p->at[X] < q->at[X]);
 }
 
-/* In a periodic cell the nearest image counts. Disks are sorted by x: a pair is at most two of the largest radii apart. */
+/* In a periodic cell the nearest image counts. Disks are sorted by x: a pair is at most two of the largest radii
+ * apart. */
 static bool check_pair(const packing *p, const disk *one, const disk *two, bool periodic) {
     double dx = two->at[X] - one->at[X], dy = two->at[Y] - one->at[Y];
     double width = p->box[0][1] - p->box[0][0], height = p->box[1][1] - p->box[1][0];
@@ -256,8 +257,8 @@ bool tr_sample_file_read(tr_scene *scene, tr_status *st) {
     tr_scene_sample *sample = &scene->sample;
     if (scene->kind != TR_KIND_BIAXIAL || !*sample->file || sample->place) return true;
     packing p = {.path = sample->file, .box = {{NAN, NAN}, {NAN, NAN}}, .st = st};
-    bool periodic = scene->boundary == TR_PERIODIC, is_dump;
-    uint64_t hash;
+    bool periodic = scene->boundary == TR_PERIODIC, is_dump = false;
+    uint64_t hash = 0;
     bool ok = look_into(&p, &hash, &is_dump);
     if (ok && sample->file_hash && sample->file_hash != hash)
         ok = tr_status_fail(

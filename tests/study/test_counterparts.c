@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The same law in another code: the factors against what those codes answered (tests/interop), where their coefficient was
- * 1, and against numbers worked out by hand. */
+/* The same law in another code: the factors against what those codes answered (tests/interop), where their
+ * coefficient was 1, and against numbers worked out by hand. */
 #include "assert_close.h"
 #include "study/counterparts.h"
 #include "study/identify_read.h"
@@ -17,8 +17,8 @@ static const tr_counterpart_key *key_of(const char *code, const char *law, const
     return NULL;
 }
 
-/* M1 = -k_r R_eff^2 (w1 - w2), and the bound mu_r R_eff, with k_r and mu_r as told: to the nine digits and more that were
- * measured; caps are quotients, to 1e-5. */
+/* M1 = -k_r R_eff^2 (w1 - w2), and the bound mu_r R_eff, with k_r and mu_r as told: to the nine digits and more
+ * that were measured; caps are quotients, to 1e-5. */
 static void the_codes_answer_so(void **state) {
     (void)state;
     static const char *const codes[] = {"lammps", "liggghts", "yade"};

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* trundle identify on the measured answers of three codes (tests/interop), as they are and with one mistake put in: the
- * words that name it must be there, and the exit must be that of a code that is objective, balanced and conjugate or not. And
- * bad input, with its message. The formulas of the mistakes are written out here. */
+/* trundle identify on the measured answers of three codes (tests/interop), as they are and with one mistake put
+ * in: the words that name it must be there, and the exit must be that of a code that is objective, balanced and
+ * conjugate or not. And bad input, with its message. The formulas of the mistakes are written out here. */
 #include "assert_close.h"
 #include "study/card.h"
 #include "study/identify.h"
