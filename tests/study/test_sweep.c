@@ -410,7 +410,7 @@ static void bad(void **state) {
         {HEAD "seeds: [4]\nvary:\n  contact.mu_R: [1]\n",
          "5:3: error: point 0 (mu_R=1,seed=4) cannot run: unknown key `contact.mu_R` (did you mean `mu_r`?); allowed "
          "here: "
-         "normal, friction, rolling, rolling_velocity, k_n, damping_ratio,"},
+         "normal, friction, rolling, rolling_velocity, arms, k_n, damping_ratio,"},
         {HEAD "vary:\n  contact.mu_r: [0,\n    -1]\n",
          "5:5: error: point 1 (mu_r=-1) cannot run: `mu_r` is -1, allowed is 0 to"},
         {HEAD "seeds: 1-2\nset: {contact.k_n: 3 m}\n", "4:20: error: point 0 (seed=1) cannot run: "},
