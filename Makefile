@@ -127,8 +127,8 @@ bench-peers: packages-build ## the same packing here and in LAMMPS, if that is i
 	@mkdir -p out/figures
 	tests/bench/peers.sh ./trundle out/figures/peers.csv
 
-# LAMMPS and LIGGGHTS are not installed for it.
-interop: packages-build ## what other codes compute that are installed (LAMMPS, LIGGGHTS): out/interop/ (half a minute)
+# None of them is installed for it.
+interop: packages-build ## what other codes compute that are installed (LAMMPS, LIGGGHTS, YADE): out/interop/ (1 min)
 	@$(MAKE) --no-print-directory build-all
 	tests/interop/interop.sh ./trundle out/interop
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# make interop: where LAMMPS or LIGGGHTS is installed, the card goes through it and is identified. The answers of the releases of
+# make interop: where LAMMPS, LIGGGHTS or YADE is installed, the card goes through it and is identified. The answers of the releases of
 # Debian 12 are known (figures/README.md); of another release only that there are some.
 set -u
 # shellcheck source=tests/system/tap.sh
@@ -33,5 +33,16 @@ if command -v liggghts >/dev/null 2>&1; then
     fi
 else
     skip 'the card in LIGGGHTS' 'no liggghts'
+fi
+if command -v yade >/dev/null 2>&1; then
+    check 'YADE has answered' grep -q '^YADE [0-9a-z.]*,F_t,' out/codes.csv
+    if grep -q '^YADE 2023.02a,' out/codes.csv; then
+        check 'its rolling spring has R1R2' known 'YADE 2023.02a' M1 '"tordesillas (w1-w2), lever R1R2"'
+        check 'its bound has the smaller radius' known 'YADE 2023.02a' 'cap 1' '"min(R1,R2)"'
+        check 'it slides by s1 - s2' known 'YADE 2023.02a' F_t alonso
+        check 'without ratcheting control by midpoint arms' known 'YADE 2023.02a avoidGranularRatcheting=False' F_t midpoint
+    fi
+else
+    skip 'the card in YADE' 'no yade'
 fi
 finish
