@@ -90,7 +90,7 @@ const tr_cause tr_causes[] = {
     {"stiffness", "the stiffness of the contacts", BIAXIAL, "contact.k_n", 2, 1.4, 1, 3, NAN, false, true, 0, 1e15,
      NULL, stiffness},
     {"compaction", "the end of the compaction", BIAXIAL, "compaction.unbalanced", 0.25, 1.2, 1, 3, NAN, false, true,
-     1e-12, 1, NULL, unbalanced},
+     1e-12, 0.1, NULL, unbalanced},
     {"size", "the size of the sample", BIAXIAL, "sample.disks", 4, 4.5, 1, 3, NAN, true, false, 100, 6400, NULL, disks},
 };
 const int tr_n_causes = sizeof tr_causes / sizeof *tr_causes;

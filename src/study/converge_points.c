@@ -160,8 +160,9 @@ bool tr_converge_level_run(tr_converge *c, const tr_cause *cause, int finer, int
         return false;
     bool read = tr_grid_read(&grid, path, false, &inner);
     if (read) run_points(c, &grid, points, &inner);
-    bool ok = inner.code != TR_FILE || strstr(inner.text, "points failed");
-    if (read && ok) ok = read_level(c, &grid, points, level, st);
+    bool some = strstr(inner.text, "points failed"); /* the others are there; else a case that is refused has none */
+    bool ok = inner.code != TR_FILE || some;
+    if (read && (some || inner.code != TR_BAD_CASE) && ok) ok = read_level(c, &grid, points, level, st);
     tr_grid_free(&grid);
     if (!ok) return tr_status_fail(st, inner.code, "%s", inner.text);
     if (inner.code == TR_INTERRUPTED)

@@ -195,7 +195,7 @@ check 'Ctrl-C: 130' stopped
 
 # ---- a sample ----
 write_small_case small.yaml
-sed -i 's/disks: 60/disks: 40/; s/unbalanced: 1e-2/unbalanced: 0.05/; s/strain_end: 0.01/strain_end: 0.005/' small.yaml
+sed -i 's/disks: 60/disks: 40/; s/unbalanced: 1e-2/unbalanced: 0.05/; s/number: 2e-3/number: 0.9/' small.yaml
 check 'a plan runs nothing' converge_gives 0 small.yaml -o plan --plan
 check 'and names causes, keys and times' says stdout '| compaction | compaction.unbalanced |'
 check 'no directory' not test -e plan
@@ -203,6 +203,7 @@ check 'a biaxial test' converge_gives 0 small.yaml -o small -j 2 --budget 60s
 check 'a cause for each setting, and the sample' \
     equals "$(awk -F, '$1 == "sin_phi_peak" { print $2 }' small/converge.csv | tr '\n' ' ')" \
     'step inertia stiffness compaction size sample '
+check 'a level that no case can have is named, and the others go on' says stdout 'shear.inertial_number = 1.8: '
 check 'the power is told' says stdout 'with a power of 80 %'
 check 'a level has the seeds of the case' says small/sweeps/step1.yaml 'seeds: 3-'
 same_as_seed() { cmp small/points/kind=biaxial,seed=4/history.csv hand/history.csv; }
