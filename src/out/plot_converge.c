@@ -56,7 +56,7 @@ static const char parts_body[] =
     "    set grid ytics linecolor '#d0d0d0'\n"
     "    set ylabel 'part of the error (%)'\n"
     "    set key outside top center horizontal noenhanced\n"
-    "    set xtics noenhanced\n"
+    "    set xtics noenhanced rotate by 9 right font ',13'\n"
     "    plot for [c = 1:causes] $parts using c + 2:xticlabels(1) linecolor rgb color(c) title cause[c], \\\n"
     "        $parts using 0:(106):2 with labels notitle\n"
     "    unset output\n"
@@ -94,10 +94,11 @@ static bool write_parts(const char *dir, const tr_plot_converge_labels *l, tr_st
     put_names(f, l);
     fputs("height = 560\n$parts << EOD\n", f);
     for (int q = 0; q < l->n_numbers; q++) {
-        double total = l->number[q].total;
-        fprintf(f, "%s,± %.2g", l->number[q].name, total);
+        double sum = 0; /* of the parts; the error in all is less where noise adds up as squares */
+        for (int i = 0; i < l->n_causes; i++) sum += isfinite(l->number[q].part[i]) ? l->number[q].part[i] : 0;
+        fprintf(f, "%s,%s± %.2g", l->number[q].name, l->number[q].whole ? "" : "known: ", l->number[q].total);
         for (int i = 0; i < l->n_causes; i++) {
-            double part = 100 * l->number[q].part[i] / total;
+            double part = 100 * l->number[q].part[i] / sum;
             fprintf(f, ",%.4g", isfinite(part) ? part : 0);
         }
         putc('\n', f);

@@ -12,7 +12,8 @@ typedef struct tr_plot_converge_labels {
     int n_numbers, n_causes;
     struct {
         const char *name;
-        double total;                /* of the parts */
+        double total;                /* the error in all */
+        bool whole;                  /* no part is unknown */
         double part[TR_PLOT_CAUSES]; /* of each cause; NaN: not known */
         double low, high;            /* errors in levels.csv, > 0; low = 0: there are none */
     } number[TR_PLOT_NUMBERS];

@@ -78,6 +78,7 @@ static void label_number(const tr_converge *c, int q, tr_plot_converge_labels *l
     int unknown, n = labels->n_numbers++;
     labels->number[n].name = c->number[q].name;
     labels->number[n].total = tr_converge_total(c, q, &unknown);
+    labels->number[n].whole = !unknown;
     for (int i = 0; i < c->n_ladders; i++) {
         const tr_converge_ladder *l = &c->ladder[i];
         labels->number[n].part[i] = l->of[q].half;
