@@ -185,6 +185,14 @@ def verdict:
       then "<p class=\"ok\">✓ \(length as $n | say("page_all_agree") | filled(["\($n)"]) | lowered)</p>"
       else "<p class=\"bad\">✗ \(length as $n | say("page_some_not") | filled(["\($bad | length)", "\($n)"]) | lowered)</p>" end;
 
+# One line each.
+def definitions:
+    def rows($of; $sign): map("<tr><th scope=\"row\"><b class=\"\($of)\">V<sub>\($sign)</sub></b> \(. | gsub("_"; "-"))</th><td>\("def_v\($sign)_" + . | . as $k | word($k))</td></tr>") | join("\n");
+    "<section class=\"definitions\">\n<h2 id=\"definitions\">\(word("page_definitions"))</h2>\n<p>\(word("page_definitions_about"))</p>\n"
+    + "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-labelledby=\"definitions\"><table>\n"
+    + (["wang", "iwashita_oda", "alonso", "full_radius"] | rows("slides"; "s")) + "\n"
+    + (["wang", "bagi_kuhn", "alonso_min", "alonso_mean"] | rows("rolls"; "r")) + "\n</table></div>\n</section>\n";
+
 # Of all runs the answers, for the last page of the print.
 def answers:
     "<section class=\"answers\">\n<h2>\(word("page_answers"))</h2>\n"
@@ -234,7 +242,7 @@ def keys_card:
 <nav aria-label=\"\(word("page_contents"))\">
 \([$groups[] | "<h2>\(.title as $t | word($t))</h2>\n<ol>\n\(.demos | map(entry) | join(""))</ol>\n"] | join(""))</nav>
 <main>
-\([$groups[] | "<section>\n<h2>\(.title as $t | word($t))</h2>\n\(.demos | map(demonstration) | join(""))</section>\n"] | join(""))\($demos | answers)</main>
+\([$groups[] | "<section>\n<h2>\(.title as $t | word($t))</h2>\n\(.demos | map(demonstration) | join(""))</section>\n"] | join(""))\(definitions)\($demos | answers)</main>
 <button type=\"button\" class=\"help\" aria-label=\"\(word("page_keys"))\">?</button>
 <script>
 \($js)</script>
