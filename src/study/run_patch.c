@@ -86,8 +86,8 @@ static bool draw(const tr_driven *d, tr_status *st) {
     char text[6][48];
     const tr_language language = (tr_language)d->scene->language;
     const tr_view_line lines[] = {{tr_words_of(language, TR_WORD_patch_solver), solver_name[d->scene->patch.solver]},
-                                  {tr_words_of(language, TR_WORD_patch_P), text[0]},
-                                  {tr_words_of(language, TR_WORD_patch_Q), text[1]},
+                                  {tr_words_of(language, TR_WORD_patch_force), text[0]},
+                                  {tr_words_of(language, TR_WORD_patch_friction), text[1]},
                                   {"Q/μP", text[2]},
                                   {tr_words_of(language, TR_WORD_patch_a), text[3]},
                                   {tr_words_of(language, TR_WORD_patch_slid), text[4]},

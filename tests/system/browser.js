@@ -35,7 +35,7 @@ async function value(expression) {
     const r = await ask("Runtime.evaluate", {expression, awaitPromise: true, returnByValue: true});
     return r.result.exceptionDetails ? "exception: " + r.result.exceptionDetails.exception.description : r.result.result.value;
 }
-const codes = {PageDown: 34, PageUp: 33, " ": 32, ArrowRight: 39, ArrowLeft: 37, Escape: 27, Tab: 9, Enter: 13};
+const codes = {PageDown: 34, PageUp: 33, " ": 32, ArrowRight: 39, ArrowLeft: 37, ArrowDown: 40, Escape: 27, Tab: 9, Enter: 13};
 const sleep = ms => new Promise(done => setTimeout(done, ms));
 async function command(line) {
     const name = line.split(" ", 1)[0], rest = line.slice(name.length + 1);

@@ -51,6 +51,7 @@ jq --arg t "$nasty" '. + {left_out: [$t], lesson: {title: $t, equation: $t, sent
 for name in slip-to-roll contact-reversal; do # two without a lesson
     jq 'del(.lesson, .checks)' "out/demos/$name/summary.json" >"demos/$name/summary.json"
 done
+mkdir -p demos/expert/pure-rolling && cp demos/slip-to-roll/bodies.mp4 demos/expert/pure-rolling
 # shellcheck disable=SC2086 # a list of names
 check 'a page with texts like tags' "$repo/figures/gallery/build.sh" demos page bare $demos missing
 
@@ -166,6 +167,12 @@ eval document.querySelector("#pure-rolling .verdict").textContent
 eval [...document.querySelectorAll("#pure-rolling .choices button")].map(b => b.className)
 key 2
 eval document.querySelector("#pure-rolling .verdict").textContent
+eval $film.src.split("/").pop()
+key e
+eval $film.src.split("/").pop()
+until !$film.paused
+key E
+eval $film.src.split("/").pop()
 key PageDown
 eval $at
 until $film.paused
@@ -211,6 +218,10 @@ none false
 Not this one; the right one is: b
 ,right,wrong
 Right.
+pure-rolling.mp4
+pure-rolling-expert.mp4
+true
+pure-rolling.mp4
 slip-to-roll 0
 true
 pure-rolling 0
@@ -229,6 +240,26 @@ block
 EOT
 check 'a browser opens it and takes the keys' drive 1280 800 moved/index.html <commands
 check 'films wait under their question, covered; pages turn; answers reveal; full screen' diff wanted seen
+cat >commands <<'EOT'
+key n
+eval [...document.querySelectorAll("#incline .variant")].map(v => v.hidden)
+eval document.querySelector("#incline select").focus()
+key ArrowDown
+until document.querySelectorAll("#incline .variant")[0].hidden
+eval [...document.querySelectorAll("#incline .variant")].map(v => v.hidden) + " " + document.activeElement.tagName
+eval document.querySelector("#incline .map").offsetHeight
+eval document.activeElement.blur()
+key r
+eval document.querySelector("#incline .map").offsetHeight > 200
+EOT
+laws() { drive 1280 800 german/index.html <commands && equals "$(cat seen)" 'false,true
+undefined
+true
+true,false SELECT
+0
+undefined
+true'; }
+check 'the chooser shows one law at a time, and the map is there when all is revealed' laws
 key_runs() { # MOTION FLAGS: whether R makes the film run
     printf 'key n\nkey r\neval new Promise(done => setTimeout(() => done(%s.paused), 1000))\n' "$film" | drive 1280 800 moved/index.html ${1:+"$1"} && says seen "$2"
 }
