@@ -226,7 +226,7 @@ def keys_card:
 <style>
 \($css)</style>
 </head>
-<body data-right=\"\(word("page_right"))\" data-wrong=\"\(say("page_wrong") | @html)\" data-copied=\"\(word("page_copied"))\" data-selected=\"\(word("page_selected"))\">
+<body class=\"gallery\" data-right=\"\(word("page_right"))\" data-wrong=\"\(say("page_wrong") | @html)\" data-copied=\"\(word("page_copied"))\" data-selected=\"\(word("page_selected"))\">
 <header>
 <h1>\(word("page_title"))</h1>
 <p>\(say("page_about") | @html | filled(["\($demos | length)", ($all[0].summary.version // "" | @html)]))</p>

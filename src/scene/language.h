@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Texts of a case in several languages: `lesson: {en: {title: ...}, de: {title: ...}}`, `label: {en: rests, de: ruht}`. */
+/* Texts of a case in several languages: `lesson: {en: {title: ...}, de: {title: ...}}`,
+ * `label: {en: rests, de: ruht}`. */
 #ifndef TR_SCENE_LANGUAGE_H
 #define TR_SCENE_LANGUAGE_H
 
