@@ -37,7 +37,9 @@ static double draw_bars(cairo_t *cr, tr_box box, const tr_show_lane *lane, const
 
 static void draw_slid(cairo_t *cr, tr_box box, const tr_record *r) {
     double slid = fabs(r->da + r->db);
-    tr_unit unit = tr_frame_unit(fmax(slid, 1e-3 * r->R2), "m"); /* no unit for rounding */
+    bool none = !(slid >= 1e-4 * r->R2); /* rounding, and springs */
+    tr_unit unit = tr_frame_unit(none ? r->R2 : slid, "m");
+    if (none) slid = unit.decimals = 0;
     char number[32], text[48];
     tr_frame_number(number, sizeof number, slid, &unit, false);
     snprintf(text, sizeof text, "%s %s", number, unit.name);
