@@ -49,9 +49,10 @@ export async function openBrowser(program, folder) {
         async until(expression, seconds = 120) {
             for (const end = Date.now() + 1000 * seconds; Date.now() < end;) {
                 if (await browser.evaluate(expression)) return;
+                if (said.length) break;
                 await new Promise(done => setTimeout(done, 50));
             }
-            throw new Error(`not within ${seconds} s: ${expression}`);
+            throw new Error(said.length ? said[0] : `not within ${seconds} s: ${expression}`);
         },
         async open(url, ready) {
             await send('Page.navigate', {url});

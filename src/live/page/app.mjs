@@ -35,7 +35,17 @@ class App {
     get state() { return this.states.get(this.scene.id); }
     get memory() { return this.run?.memory; }
 
+    /* The next of several runs, one after the other. */
+    next() {
+        const values = this.queue?.shift();
+        if (!values) return;
+        Object.assign(this.state, values);
+        this.building();
+        this.reset(true);
+    }
+
     choose(scene) {
+        this.queue = [];
         this.keep();
         this.run = null, this.playing = false;
         this.scene = scene;
@@ -62,7 +72,8 @@ class App {
             const scene = this.scene, text = scene.text(this.state);
             try {
                 const world = this.engine.open(0, text);
-                this.run = {scene, world, text, engine: this.engine, changed: false};
+                const other = scene.other?.(this.state);
+                this.run = {scene, world, text, engine: this.engine, changed: false, beside: other ? this.engine.open(1, other) : null};
                 this.run.memory = scene.begin(world, this.state, this.kept.get(scene.id));
                 scene.after?.(this.run);
                 this.playing = play;
@@ -91,12 +102,12 @@ class App {
 
     /* n steps at most, as long as the budget lasts; false at the end. */
     advance(n, budget = BUDGET) {
-        const {world} = this.run, until = performance.now() + budget, chunk = Math.max(1, Math.min(n, this.scene.slow ? 25 : 200));
+        const {world, beside} = this.run, until = performance.now() + budget, chunk = Math.max(1, Math.min(n, this.scene.slow ? 25 : 200));
         let left = n;
         try {
             while (left > 0 && performance.now() < until && this.progress() < 1) {
                 const few = Math.min(left, chunk);
-                world.step(few), left -= few;
+                world.step(few), beside?.step(few), left -= few;
             }
             if (left < n) this.scene.after?.(this.run);
         } catch (e) {
@@ -115,7 +126,7 @@ class App {
             this.debt = Math.min(this.debt + elapsed * rate * SLOWER[this.speed], 2 * rate / 60);
             const n = Math.floor(this.debt);
             if (n) this.debt -= n - this.advance(n);
-            if (this.progress() >= 1) this.playing = false, this.transport();
+            if (this.progress() >= 1) this.playing = false, this.transport(), this.next();
         }
         if (this.run) this.draw(now);
         requestAnimationFrame(t => this.frame(t));
@@ -159,7 +170,8 @@ class App {
         element('button', {onclick: () => this.share('case')}, word('ui.case')),
         element('button', {onclick: () => this.share('still')}, word('ui.still')),
         element('button', {onclick: () => this.help()}, '?'));
-        at('controls').replaceChildren(...s.controls.map(c => this.control(c)));
+        at('controls').replaceChildren(...s.controls.map(c => this.control(c)),
+            ...(s.actions ?? []).map(a => element('button', {onclick: () => a.run(this)}, word('ui.' + a.name))));
         this.question(), this.transport();
     }
 
@@ -204,6 +216,7 @@ class App {
     change() {
         try {
             this.run.world.setLaws(this.run.text = this.scene.text(this.state));
+            this.run.beside?.setLaws(this.scene.other(this.state));
             this.run.changed = true;
         } catch (e) {
             this.failed(e);

@@ -5,12 +5,12 @@ import {short} from './draw.mjs';
 import {word} from './words.mjs';
 
 const OVERLAP = 1e-6; /* [m]: they touch */
-const NEAR = .02;     /* of the fastest rim: what counts as found */
+const HIT = .02;     /* of the fastest rim: what counts as found */
 
 /* Slides only, rolls only, or neither while all turn. */
 function found(s, vs, vr) {
     const fast = Math.max(Math.abs(s.w1) * s.R1, Math.abs(s.w2) * s.R2, Math.abs(s.turn) * (s.R1 + s.R2));
-    const still = v => Math.abs(v) <= NEAR * fast;
+    const still = v => Math.abs(v) <= HIT * fast;
     if (fast < .05) return null;
     return still(vs) ? still(vr) ? 'rigid' : 'rolling' : still(vr) ? 'sliding' : null;
 }

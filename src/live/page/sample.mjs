@@ -80,6 +80,7 @@ export const sampleScene = {
         {key: 'mu_r', name: 'μ_r', unit: '', min: 0, max: 2, step: .01, value: .5, live: true},
         {key: 'definition', name: 'definition', choices: ['wang', 'bagi-kuhn', 'alonso-min', 'alonso-mean'], value: 'wang', live: true},
         {key: 'seed', name: 'seed', min: 1, max: 99, step: 1, value: 1},
+        {key: 'beside', name: 'beside', choices: ['nothing', 'mu_r0', 'wang', 'bagi-kuhn', 'alonso-min', 'alonso-mean'], value: 'nothing'},
         {key: 'show', name: 'show', choices: ['both', 'sliding', 'rolling', 'friction', 'force', 'spin'], value: 'both', free: true},
     ],
     text: s => `# ${word('scene.sample.title')}\nkind: biaxial\nseed: ${s.seed}\n` +
@@ -87,31 +88,52 @@ export const sampleScene = {
         `  damping_ratio: 0.3\n  friction: coulomb-spring\n  mu: ${s.mu}\n  k_t: 0.5*k_n\n  rolling: wang-spring\n  rolling_velocity: ${s.definition}\n` +
         `  mu_r: ${s.mu_r}\n  k_r: k_t\ncompaction: {pressure: 160 kPa, mu: 0}\n` +
         `shear: {lateral_pressure: 160 kPa, inertial_number: 1e-3, strain_end: ${STRAIN}}\noutput: {frames: 20, rows: 400}\n`,
+    /* The same packing with one thing changed; null: nothing beside it. */
+    other(s) {
+        if (s.beside === 'nothing') return null;
+        return sampleScene.text(s.beside === 'mu_r0' ? {...s, mu_r: 0} : {...s, definition: s.beside});
+    },
+    /* Three seeds one after the other; their curves stay. */
+    actions: [{name: 'seeds', run(app) {
+        const first = app.state.seed, seeds = [first, first + 1, first + 2].filter(k => k <= 99);
+        app.queue = seeds.map(seed => ({seed}));
+        app.next();
+    }}],
     begin(world, s, before) {
         const ghosts = before?.ghosts ?? [];
         if (before?.curve.length > 5) ghosts.push({points: before.curve, label: before.label});
+        if (before?.besideCurve.length > 5) ghosts.push({points: before.besideCurve, label: before.besideLabel});
         const first = world.disks(), box = [Infinity, -Infinity, Infinity, -Infinity];
         for (let i = 0; i < world.count; i++) {
             const [x, y, R] = [first[11 * i], first[11 * i + 1], first[11 * i + 9]];
             box[0] = Math.min(box[0], x - R), box[1] = Math.max(box[1], x + R), box[2] = Math.min(box[2], y - R), box[3] = Math.max(box[3], y + R);
         }
-        return {ghosts: ghosts.slice(-6), curve: [], box, last: world.biaxial(), follow: null,
+        return {ghosts: ghosts.slice(-6), curve: [], besideCurve: [], besideLabel: word('choice.' + s.beside), box, last: world.biaxial(), follow: null,
             label: `μ ${short(s.mu)}, μ_r ${short(s.mu_r)}, ${s.definition}, ${s.seed}`};
     },
-    after({world, memory}) {
+    after({world, beside, memory}) {
         memory.last = world.biaxial();
         if (world.steps) memory.curve.push([100 * memory.last.strain, memory.last.sinPhi]);
+        if (beside?.steps) memory.besideLast = beside.biaxial(), memory.besideCurve.push([100 * memory.besideLast.strain, memory.besideLast.sinPhi]);
     },
     progress: ({memory}) => memory.last.strain / STRAIN,
-    draw(p, {world, memory}, s) {
+    draw(p, {world, beside, memory}, s) {
         const whole = p.box, tall = whole.h > whole.w, w = tall ? whole.w : .56 * whole.w, h = tall ? .6 * whole.h : whole.h;
+        const one = beside ? tall ? {w: w / 2, h} : {w, h: h / 2} : {w, h};
         const [x0, x1, y0, y1] = memory.box; /* it gets lower and wider */
-        p.view((x0 + x1) / 2, (y0 + y1) / 2, .64 * (x1 - x0), .54 * (y1 - y0), {x: whole.x, y: whole.y, w, h});
+        p.view((x0 + x1) / 2, (y0 + y1) / 2, .64 * (x1 - x0), .54 * (y1 - y0), {x: whole.x, y: whole.y, ...one});
         memory.shares = drawSample(p, world, s.show, memory);
         const sample = [p.x0, p.y0, p.scale];
+        if (beside) {
+            p.label('A', whole.x, whole.y + .7 * p.em, {bold: true});
+            p.view((x0 + x1) / 2, (y0 + y1) / 2, .64 * (x1 - x0), .54 * (y1 - y0), {x: whole.x + (tall ? w / 2 : 0), y: whole.y + (tall ? 0 : h / 2), ...one});
+            drawSample(p, beside, s.show, {});
+            p.label('B', p.box.x, p.box.y + .7 * p.em, {bold: true});
+        }
         p.chart(tall ? {x: whole.x, y: whole.y + h, w: whole.w, h: whole.h - h} : {x: whole.x + w, y: whole.y, w: whole.w - w, h: whole.h},
             {x: [0, 100 * STRAIN], y: [0, .8], xName: word('sample.strain'), yName: word('sample.sinPhi'),
-                curves: [...memory.ghosts.map(g => ({points: g.points, colour: p.line, name: g.label, width: .12})), {points: memory.curve, colour: p.ink}]});
+                curves: [...memory.ghosts.map(g => ({points: g.points, colour: p.line, name: g.label, width: .12})), {points: memory.besideCurve, colour: p.faint, dash: true, name: beside ? 'B ' + memory.besideLabel : ''},
+                    {points: memory.curve, colour: p.ink, name: beside ? 'A' : ''}]});
         [p.x0, p.y0, p.scale] = sample;
         p.box = whole;
     },
@@ -122,6 +144,7 @@ export const sampleScene = {
         const all = memory.shares ?? shares(world.touches()), percent = k => `${Math.round(100 * k / (all.n || 1))} %`, out = {contacts: [], scale: 3 * all.rms || 1};
         const lines = [[word('sample.sinPhi'), short(memory.last.sinPhi)], [word('sample.voids'), short(memory.last.voidRatio)],
             [word('sample.slide'), percent(all.slide)], [word('sample.roll'), percent(all.roll)], [word('sample.gears'), percent(all.gears)]];
+        if (memory.besideLast) lines.splice(1, 0, [`${word('sample.sinPhi')} B`, short(memory.besideLast.sinPhi)]);
         if (memory.follow) {
             const t = world.touches(), {a, b} = memory.follow, i = Array.from({length: t.n}, (_, k) => k).find(k => t.a(k) === a && t.b(k) === b);
             const name = a < 0 ? `${word('sample.wall')} ${-1 - a} – ${b}` : `${a} – ${b}`;

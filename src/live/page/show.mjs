@@ -3,10 +3,13 @@
 import {rimScene} from './rim.mjs';
 import {wheelsScene} from './wheels.mjs';
 import {pairScene} from './pair.mjs';
+import {coinScene} from './coin.mjs';
 import {throwScene} from './throw.mjs';
+import {whoScene} from './who.mjs';
+import {gearsScene} from './gears.mjs';
 import {sampleScene} from './sample.mjs';
 
-export const SCENES = [rimScene, wheelsScene, pairScene, throwScene, sampleScene];
+export const SCENES = [rimScene, wheelsScene, pairScene, coinScene, throwScene, whoScene, gearsScene, sampleScene];
 
 /* Inside its range; {value, limited}. NaN: the default. */
 export function limit(control, value) {

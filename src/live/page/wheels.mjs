@@ -3,7 +3,7 @@
 import {drawWheel, drawMotion, floorMotion, floorText, wheelText, WHEEL} from './rim.mjs';
 import {word} from './words.mjs';
 
-const SCALE = 1;
+const WHEELS_SCALE = 1;
 
 function contacts(world, engine) {
     return [0, 1, 2].map(i => {
@@ -37,6 +37,6 @@ export const wheelsScene = {
     },
     read({world, engine}) {
         const all = contacts(world, engine);
-        return {contacts: all, scale: SCALE, definitions: all[2].definitions, sentence: word('wheels.sentence')};
+        return {contacts: all, scale: WHEELS_SCALE, definitions: all[2].definitions, sentence: word('wheels.sentence')};
     },
 };
