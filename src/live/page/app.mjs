@@ -188,7 +188,7 @@ class App {
     control(c) {
         const name = word(`control.${c.key}`) === `control.${c.key}` ? c.name : word(`control.${c.key}`), value = this.state[c.key];
         if (c.choices) {
-            const select = element('select', {onchange: e => this.set(c, e.target.value)},
+            const select = element('select', {id: `pick-${c.key}`, onchange: e => this.set(c, e.target.value)},
                 ...c.choices.map(x => element('option', {value: x, selected: x === value}, word(`choice.${x}`) === `choice.${x}` ? x : word(`choice.${x}`))));
             return element('label', {class: 'choice'}, name, select);
         }
@@ -203,7 +203,7 @@ class App {
     set(c, text) {
         const {value, limited} = limit(c, text), moved = this.state[c.key] !== value;
         this.state[c.key] = value;
-        for (const kind of ['slide', 'type']) if (at(`${kind}-${c.key}`)) at(`${kind}-${c.key}`).value = value;
+        for (const kind of ['slide', 'type', 'pick']) if (at(`${kind}-${c.key}`)) at(`${kind}-${c.key}`).value = value;
         if (limited && !c.choices) this.notice(word('ui.limit', {name: c.name, min: short(c.min), max: short(c.max), unit: c.unit ?? ''}));
         if (!moved) return;
         if (c.live && this.run?.world.steps) this.change();

@@ -111,16 +111,17 @@ export class Painter {
         }
         c.restore();
         c.setLineDash([]);
-        this.names(curves.filter(k => k.name && k.points.length > 1).map(k => [k.name, ...at(k.points[k.points.length - 1])]), right, top, bottom);
+        this.names(curves.filter(k => k.name && k.points.length > 1).map(k => [k.name, ...at(k.points[k.points.length - 1])]), left, right, top, bottom);
     }
 
     /* Beside the ends of curves, one below the other. */
-    names(list, right, top, bottom) {
+    names(list, left, right, top, bottom) {
         const gap = .95 * this.em;
         let below = top;
         for (const [name, px, py] of list.sort((a, b) => a[2] - b[2])) {
             const y = Math.max(below + .55 * this.em, py - .6 * this.em);
-            this.label(name, Math.min(px, right) - .3 * this.em, Math.min(y, bottom - .5 * this.em), {align: 'right', size: .8});
+            const behind = px < left + .5 * (right - left); /* there is more room behind the end */
+            this.label(name, Math.min(px, right) + (behind ? .3 : -.3) * this.em, Math.min(y, bottom - .5 * this.em), {align: behind ? 'left' : 'right', size: .8});
             below = y + gap - .55 * this.em;
         }
     }

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Scene 5: the same motion by all definitions of rolling, for an observer who may turn. Two wheels, or a wheel on a floor. */
+/* Scene 5: the same motion by all definitions of rolling, for an observer who may turn. */
 import {short} from './draw.mjs';
 import {word} from './words.mjs';
 
 const R1 = .2, SHOWN = ['wang', 'bagi-kuhn', 'alonso-min', 'alonso-mean'];
 
-/* Body 2 slides over body 1 at vs and rolls; its observer turns at W. log10 of R2/R1 above 0.95: a floor in place of 1. */
+/* Two wheels with fixed centres, for an observer who turns. Their overlap is given in tenths of the smaller radius. */
 function motion(s) {
-    const R2 = R1 * 10 ** s.ratio, one = {x1: 0, y1: 0, vx1: 0, vy1: 0, w1: s.w1}, L = (R1 + R2) * (1 - .1 * s.overlap);
+    const R2 = R1 * 10 ** s.ratio, one = {x1: 0, y1: 0, vx1: 0, vy1: 0, w1: s.w1}, L = R1 + R2 - .1 * s.overlap * Math.min(R1, R2);
     const m = {R1, R2, ...one, x2: L, y2: 0, vx2: 0, vy2: 0, w2: s.w2};
     return {...m, vy1: m.vy1 + s.turn * m.x1, vy2: m.vy2 + s.turn * m.x2, w1: m.w1 + s.turn, w2: m.w2 + s.turn};
 }
@@ -18,7 +18,7 @@ export const whoScene = {
         {key: 'ratio', name: 'log₁₀ R₂/R₁', unit: '', min: -1, max: 1, step: .01, value: .3},
         {key: 'w1', name: 'ω₁', unit: 'rad/s', min: -3, max: 3, step: .01, value: 1},
         {key: 'w2', name: 'ω₂', unit: 'rad/s', min: -3, max: 3, step: .01, value: .4},
-        {key: 'overlap', name: 'overlap', unit: 'R/10', min: 0, max: 1, step: .01, value: 0},
+        {key: 'overlap', name: 'overlap', unit: 'R/10', min: 0, max: 2, step: .01, value: 0},
         {key: 'turn', name: 'observer', unit: 'rad/s', min: -3, max: 3, step: .01, value: 0},
     ],
     text(s) {
