@@ -6,7 +6,7 @@
 set -eu
 here=$(dirname "$0")
 page=$here/page
-modules='engine draw words gauge rim wheels pair coin throw who gears sample show app' # each only needs those before it
+modules='engine draw words gauge rim wheels pair coin throw who slope gears sample show app' # each only needs those before it
 # { read FILE INTO THE PLACE OF A LINE }: the lines of page.html that are only @NAME@
 {
     while IFS= read -r line; do

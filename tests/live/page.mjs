@@ -4,7 +4,7 @@ import {writeFileSync} from 'node:fs';
 import {openBrowser} from './browser.mjs';
 const [program, folder, page, shots] = process.argv.slice(2);
 const b = await openBrowser(program, folder), url = `file://${page}`;
-const scenes = ['rim', 'wheels', 'pair', 'coin', 'throw', 'who', 'gears', 'sample'], ready = 'window.app?.run != null';
+const scenes = ['rim', 'wheels', 'pair', 'coin', 'throw', 'who', 'slope', 'gears', 'sample'], ready = 'window.app?.run != null';
 
 async function check(name, work) {
     try {
@@ -37,7 +37,7 @@ await check('every scene by keyboard alone', async () => {
         await b.until('app.target === null && app.run != null');
         for (const key of ['?', 'Escape', 'r', 'r', 'e', '0']) await b.key(key);
         await b.until('app.run?.world.steps === 0');
-        want(await b.evaluate('document.querySelectorAll(".lamp, .bar, #panel div").length') > 0, 'no readings');
+        await b.until('document.querySelectorAll(".lamp, .bar, #panel div").length > 0');
         await b.key('PageDown');
     }
     await b.until(`app.scene.id === 'rim'`);

@@ -90,8 +90,8 @@ export class Painter {
         this.c.fillText(text, px, py);
     }
 
-    /* Curves over one axis. curves: [{points: [[x, y]], colour, dash, name}]; box in pixels. */
-    chart(box, {x: [x0, x1], y: [y0, y1], xName, yName, curves}) {
+    /* Curves over one axis. curves: [{points: [[x, y]], colour, dash, name}], dots: [[x, y]], texts: [[x, y, text]]; box in pixels. */
+    chart(box, {x: [x0, x1], y: [y0, y1], xName, yName, curves, dots = [], texts = []}) {
         const c = this.c, left = box.x + 3.2 * this.em, right = box.x + box.w - .6 * this.em;
         const top = box.y + 1.3 * this.em, bottom = box.y + box.h - 1.7 * this.em;
         const at = ([x, y]) => [left + (right - left) * (x - x0) / (x1 - x0), bottom - (bottom - top) * (y - y0) / (y1 - y0)];
@@ -111,6 +111,8 @@ export class Painter {
         }
         c.restore();
         c.setLineDash([]);
+        for (const dot of dots) c.beginPath(), c.arc(...at(dot), .3 * this.em, 0, 2 * Math.PI), c.fillStyle = this.ink, c.fill();
+        for (const [x, y, text] of texts) this.label(text, ...at([x, y]), {align: 'center', size: .9});
         this.names(curves.filter(k => k.name && k.points.length > 1).map(k => [k.name, ...at(k.points[k.points.length - 1])]), left, right, top, bottom);
     }
 

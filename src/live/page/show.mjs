@@ -6,10 +6,11 @@ import {pairScene} from './pair.mjs';
 import {coinScene} from './coin.mjs';
 import {throwScene} from './throw.mjs';
 import {whoScene} from './who.mjs';
+import {slopeScene} from './slope.mjs';
 import {gearsScene} from './gears.mjs';
 import {sampleScene} from './sample.mjs';
 
-export const SCENES = [rimScene, wheelsScene, pairScene, coinScene, throwScene, whoScene, gearsScene, sampleScene];
+export const SCENES = [rimScene, wheelsScene, pairScene, coinScene, throwScene, whoScene, slopeScene, gearsScene, sampleScene];
 
 /* Inside its range; {value, limited}. NaN: the default. */
 export function limit(control, value) {
