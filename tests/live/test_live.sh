@@ -41,6 +41,8 @@ check 'the cases of the scenes: the same positions after 300 steps' same 300 "$w
 none_refused() { ! grep -A3 error "$work/native"; }
 check 'and none of them is refused' none_refused
 
+check 'the scenes tell what closed forms say' node tests/live/scenes.mjs "$page" "$wasm"
+
 # Messages of the reader of cases name line and column: the page's own reader of YAML must count as libyaml does.
 cat >"$work/head" <<'END'
 kind: bodies

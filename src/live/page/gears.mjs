@@ -5,6 +5,7 @@ import {short} from './draw.mjs';
 import {word} from './words.mjs';
 
 const R = .1, SPIN = 2, RIM = R * SPIN;
+/* The springs of friction swing on by mu P/sqrt(k_t I) = 0.03 rad/s: less than 0.05 of RIM counts as still. */
 
 export const gearsScene = {
     id: 'gears', seconds: 4, pace: .5,
@@ -13,10 +14,10 @@ export const gearsScene = {
     /* Each presses its neighbours by 2e-4 of its radius; all but the first turn freely about pins. */
     text(s) {
         const far = R * (1 - 1e-4) / Math.sin(Math.PI / s.n);
-        const disk = k => `  - {radius: ${R} m, density: 100 kg/m^3, x: ${far * Math.cos(2 * Math.PI * k / s.n)} m, y: ${far * Math.sin(2 * Math.PI * k / s.n)} m, ` +
+        const disk = k => `  - {radius: ${R} m, density: 300 kg/m^3, x: ${far * Math.cos(2 * Math.PI * k / s.n)} m, y: ${far * Math.sin(2 * Math.PI * k / s.n)} m, ` +
             (k ? 'motion: pinned}\n' : `spin: ${SPIN} rad/s, motion: prescribed}\n`);
         return `# ${word('scene.gears.title')}\nkind: bodies\ntime_end: ${gearsScene.seconds} s\n` +
-            `contact: {k_n: 1 MPa, k_t: 100 kPa, friction: coulomb-spring, mu: ${s.mu}, rolling: none}\ndisks:\n` +
+            `contact: {k_n: 1 MPa, k_t: 1 MPa, friction: coulomb-spring, mu: ${s.mu}, rolling: none}\ndisks:\n` +
             Array.from({length: s.n}, (_, k) => disk(k)).join('') + 'output: {frames: 100, rows: 101, contacts: 11}\n';
     },
     begin: () => ({}),
@@ -34,7 +35,7 @@ export const gearsScene = {
         }
         if (!r.tell) return;
         for (const t of r.touches) {
-            const lamp = lampOf(t.vs, t.vr, 20 * RIM);
+            const lamp = lampOf(t.vs, t.vr, 50 * RIM);
             if (lamp === 'SLIDES' || lamp === 'BOTH') p.arrow(t.x + .4 * R * t.ny, t.y - .4 * R * t.nx, -.8 * R * t.ny, .8 * R * t.nx, p.slide, {both: true});
             if (lamp === 'ROLLS' || lamp === 'BOTH') p.circle(t.x, t.y, .1 * R, {fill: p.roll});
         }
@@ -47,7 +48,7 @@ export const gearsScene = {
             touches.push({x: x[at], y: x[at + 1], nx: x[at + 2], ny: x[at + 3], vs: x[at + 9], vr: x[at + 10]});
             if (x[at + 13] > .999) lost += Math.abs(x[at + 6] * x[at + 9]);
         }
-        const sliding = touches.filter(t => /SLIDES|BOTH/.test(lampOf(t.vs, t.vr, 20 * RIM))).length;
+        const sliding = touches.filter(t => /SLIDES|BOTH/.test(lampOf(t.vs, t.vr, 50 * RIM))).length;
         return {contacts: [], touches, scale: RIM, lines: [[word('gears.sliding'), `${sliding} / ${touches.length}`], [word('gears.lost'), `${short(lost)} W/m`],
             [word('gears.last'), `${short(world.disk(s.n - 1).spin)} rad/s`]], sentence: word(sliding ? 'gears.stuck' : 'gears.turns')};
     },
