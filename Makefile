@@ -239,7 +239,7 @@ lint: packages-lint ## clang-tidy and cppcheck
 	    --suppress=missingIncludeSystem -D_GNU_SOURCE -DTR_LINT -Isrc src
 
 format: ## clang-format on all sources
-	clang-format -i $(wildcard src/*/*.[ch] src/*/*.cpp tests/*.h tests/*/*.[ch])
+	clang-format -i $(wildcard src/*/*.[ch] src/*/*.cpp tests/*.h tests/*/*.[ch] src/live/page/*.mjs tests/live/*.mjs)
 
 clean: ## removes build/, out/ and ./trundle
 	rm -rf build out trundle

@@ -1,13 +1,14 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# One file from the parts of the page: styles, words, modules one behind the other, the library as base64. The modules share
-# one scope there, so names at their top level differ; `import` and `export` are for tests that run them one by one.
+# One file from the parts of the page: styles, words, modules one behind the other, the library as base64. The modules
+# share one scope there, so names at their top level differ; `import` and `export` are for tests that run them one by one.
 # usage: build.sh LIVE.wasm OUT.html
 set -eu
 here=$(dirname "$0")
 page=$here/page
-modules='engine draw words gauge rim wheels pair coin throw who slope gears sample show app' # each only needs those before it
-# { read FILE INTO THE PLACE OF A LINE }: the lines of page.html that are only @NAME@
+# Each only needs those before it.
+modules='engine draw words gauge rim wheels pair coin throw who slope gears sample show app'
+# Lines of page.html that are only @NAME@ are replaced.
 {
     while IFS= read -r line; do
         case $line in

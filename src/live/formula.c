@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* scene/formula.h without muParser, for the page: the same arithmetic in the same order. expression.c has made the text:
- * variables v0, v1, ..., + - * / ^ ( ) and six functions. */
+/* scene/formula.h without muParser, for the page: the same arithmetic in the same order. expression.c has made the
+ * text: variables v0, v1, ..., + - * / ^ ( ) and six functions. */
 #include "base/alloc.h"
 #include "base/math.h"
 #include "scene/formula.h"

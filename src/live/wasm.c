@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What the library takes from a system, in a page: one thread, no files, pairs by brute force (Box2D is not to be had
- * for WebAssembly), and the functions of base/math.h from wasi-libc, whose sources are musl's. This file is compiled with
- * -fno-builtin, so that no compiler replaces a call by what its own machine computes. */
+ * for WebAssembly), and the functions of base/math.h from wasi-libc, whose sources are musl's. This file is compiled
+ * with -fno-builtin, so that no compiler replaces a call by what its own machine computes. */
 #include "base/math.h"
 #include "base/threads.h"
 #include "broad/choose.h"

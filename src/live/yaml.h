@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The part of libyaml's face that scene/tree.c takes, for the page: libyaml is not to be had for WebAssembly. It reads
- * what cases have: mappings and lists in block and flow style, plain, quoted, folded and literal text, comments, documents.
- * Anchors, tags and aliases are told, so that the reader can refuse them. */
+ * what cases have: mappings and lists in block and flow style, plain, quoted, folded and literal text, comments,
+ * documents. Anchors, tags and aliases are told, so that the reader can refuse them. */
 #ifndef YAML_H
 #define YAML_H
 

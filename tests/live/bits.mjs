@@ -6,26 +6,41 @@ const [enginePath, wasm, what, ...files] = process.argv.slice(2);
 const {loadEngine} = await import(enginePath);
 const engine = await loadEngine(readFileSync(wasm));
 
-// The card as `trundle measures -o` writes it: each motion again, each definition again, with 17 digits. The columns of the
-// definitions stand in the order of the tables, those of rolling first.
+// The card as `trundle measures -o` writes it: each motion again, each definition again, with 17 digits. The columns of
+// the definitions stand in the order of the tables, those of rolling first.
 function card(file) {
     const [head, ...rows] = readFileSync(file, 'utf8').trim().split('\n').map(line => line.split(','));
     const first = head.indexOf('Vr_wang');
     let same = 0;
     for (const row of rows) {
         const of = Object.fromEntries(head.map((name, k) => [name, Number(row[k].replace('inf', 'Infinity'))]));
-        const got = engine.measure({R1: of.R1, R2: of.R2, x1: of.x1x, y1: of.x1y, vx1: of.v1x, vy1: of.v1y, w1: of.w1,
-            x2: of.x2x, y2: of.x2y, vx2: of.v2x, vy2: of.v2y, w2: of.w2});
+        const got = engine.measure({
+            R1: of.R1,
+            R2: of.R2,
+            x1: of.x1x,
+            y1: of.x1y,
+            vx1: of.v1x,
+            vy1: of.v1y,
+            w1: of.w1,
+            x2: of.x2x,
+            y2: of.x2y,
+            vx2: of.v2x,
+            vy2: of.v2y,
+            w2: of.w2
+        });
         [...Object.values(got.rolling), ...Object.values(got.sliding)].forEach((value, k) => {
             const native = of[head[first + k]];
-            if (Object.is(value + 0, native)) same++;
-            else console.log(`${row[0]}: ${head[first + k]} is ${value}, native ${native}`);
+            if (Object.is(value + 0, native))
+                same++;
+            else
+                console.log(`${row[0]}: ${head[first + k]} is ${value}, native ${native}`);
         });
     }
     console.log(`${same} values of ${rows.length} motions are the same`);
 }
 
-if (what === 'card') card(files[0]);
+if (what === 'card')
+    card(files[0]);
 else
     for (const file of files) {
         try {

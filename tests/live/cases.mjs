@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The cases that "copy case.yaml" gives, of each scene as it opens and with values from all over their ranges, into files.
+// The cases that "case.yaml" gives, of each scene as it opens and with values from all over their ranges, into files.
 // usage: node cases.mjs PAGE DIRECTORY
 import {readFileSync, writeFileSync} from 'node:fs';
 const [page, out] = process.argv.slice(2);
@@ -13,10 +13,14 @@ for (const scene of SCENES)
     for (let k = 0; k < (scene.slow ? 2 : 12); k++) {
         const state = defaults(scene);
         for (const c of k ? scene.controls : [])
-            state[c.key] = c.choices ? c.choices[Math.floor(random() * c.choices.length)]
-                : limit(c, Number((Math.round((c.min + random() * (c.max - c.min)) / c.step) * c.step).toFixed(6))).value;
+            state[c.key] =
+                c.choices
+                    ? c.choices[Math.floor(random() * c.choices.length)]
+                    : limit(c, Number((Math.round((c.min + random() * (c.max - c.min)) / c.step) * c.step).toFixed(6)))
+                          .value;
         const back = fromAddress(toAddress(scene, state)); // the address holds all of it
-        if (back.wrong.length || back.scene !== scene || scene.controls.some(c => String(back.state[c.key]) !== String(state[c.key])))
+        if (back.wrong.length || back.scene !== scene ||
+            scene.controls.some(c => String(back.state[c.key]) !== String(state[c.key])))
             throw new Error(`the address of ${scene.id} lost something: ${toAddress(scene, state)}`);
         writeFileSync(`${out}/${scene.id}-${k}.yaml`, scene.text(state));
     }
@@ -24,7 +28,8 @@ for (const scene of SCENES)
 // What is outside of its range stops at the limit; nonsense opens the first scene and is named.
 const check = (what, address, id, wrong) => {
     const got = fromAddress(address);
-    if (got.scene.id !== id || got.wrong.join() !== wrong) throw new Error(`${what}: ${got.scene.id}, ${got.wrong.join()}`);
+    if (got.scene.id !== id || got.wrong.join() !== wrong)
+        throw new Error(`${what}: ${got.scene.id}, ${got.wrong.join()}`);
 };
 check('nothing', '', 'rim', '');
 check('an unknown scene', '#nonsense?v=1', 'rim', 'nonsense');

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The page in a browser. Prints "ok NAME" or "not ok NAME: why". usage: node page.mjs CHROMIUM FOLDER PAGE.html [SHOTS]
 import {writeFileSync} from 'node:fs';
+
 import {openBrowser} from './browser.mjs';
+
 const [program, folder, page, shots] = process.argv.slice(2);
 const b = await openBrowser(program, folder), url = `file://${page}`;
-const scenes = ['rim', 'wheels', 'pair', 'coin', 'throw', 'who', 'slope', 'gears', 'sample'], ready = 'window.app?.run != null';
+const scenes = ['rim', 'wheels', 'pair', 'coin', 'throw', 'who', 'slope', 'gears', 'sample'],
+      ready = 'window.app?.run != null';
 
 async function check(name, work) {
     try {
@@ -17,7 +20,9 @@ async function check(name, work) {
 function want(what, ...values) {
     if (!what) throw new Error(`got ${values.join(', ')}`);
 }
-const shoot = async name => { if (shots) writeFileSync(`${shots}/${name}.png`, await b.shot()); };
+const shoot = async name => {
+    if (shots) writeFileSync(`${shots}/${name}.png`, await b.shot());
+};
 
 await b.size(1920, 1080);
 await b.open(url, ready);
@@ -45,14 +50,17 @@ await check('every scene by keyboard alone', async () => {
 
 await check('arrows are dragged, values typed, limits told', async () => {
     await b.open(`${url}#rim`, ready);
-    const at = async key => JSON.parse(await b.evaluate(`(() => { const h = app.scene.handles(app.run, app.state).find(h => h.key === '${key}'),
-        box = document.getElementById('picture').getBoundingClientRect(); return JSON.stringify([box.left + app.painter.px(h.x), box.top + app.painter.py(h.y)]); })()`));
+    const at = async key => JSON.parse(
+        await b.evaluate(`(() => { const h = app.scene.handles(app.run, app.state).find(h => h.key === '${key}'),
+        box = document.getElementById('picture').getBoundingClientRect();
+        return JSON.stringify([box.left + app.painter.px(h.x), box.top + app.painter.py(h.y)]); })()`));
     await b.until('app.painter.scale > 0');
     const tip = await at('v');
     await b.drag(tip, [tip[0] - 120, tip[1]]);
     const v = await b.evaluate('app.state.v');
     want(v < .5 && v > -1, 'v', v);
-    await b.evaluate(`(() => { const f = document.getElementById('type-v'); f.value = 99; f.dispatchEvent(new Event('change')); })()`);
+    await b.evaluate(`(() => { const f = document.getElementById('type-v');
+            f.value = 99, f.dispatchEvent(new Event('change')); })()`);
     want(await b.evaluate('app.state.v') === 1, 'v is not at its limit');
     want(/goes from/.test(await b.evaluate(`document.getElementById('notice').textContent`)), 'no word on the limit');
     want(/v=1/.test(await b.evaluate('location.hash')), 'the address is', await b.evaluate('location.hash'));
@@ -62,7 +70,8 @@ await check('a link with nonsense opens the first scene and says so', async () =
     await b.open('about:blank', 'true');
     await b.open(`${url}#nonsense?v=1`, ready);
     want(await b.evaluate('app.scene.id') === 'rim', 'another scene');
-    want(/not understood: nonsense/.test(await b.evaluate(`document.getElementById('notice').textContent`)), 'not told');
+    want(/not understood: nonsense/.test(await b.evaluate(`document.getElementById('notice').textContent`)),
+         'not told');
 });
 
 await check('400 disks: laws change while it runs, a contact is followed, the curve of before stays', async () => {
@@ -71,7 +80,8 @@ await check('400 disks: laws change while it runs, a contact is followed, the cu
     await b.key('2');
     await b.evaluate(`app.set(app.scene.controls[1], '0.1')`);
     await b.until(ready);
-    want(await b.evaluate('app.run.world.steps') === 0 && await b.evaluate('app.run.text.includes("mu_r: 0.1")'), 'not the new value');
+    want(await b.evaluate('app.run.world.steps') === 0 && await b.evaluate('app.run.text.includes("mu_r: 0.1")'),
+         'not the new value');
     await b.key(' ');
     await b.until('app.run.world.steps > 1000 && app.memory.curve.length > 6');
     await b.evaluate(`app.set(app.scene.controls[0], '0.2')`);
@@ -79,7 +89,8 @@ await check('400 disks: laws change while it runs, a contact is followed, the cu
     const steps = await b.evaluate('app.run.world.steps');
     await b.until(`app.run.world.steps > ${steps} + 500`);
     await b.evaluate('app.scene.click(app.run, 0, 0)');
-    await b.until(`document.querySelector('#panel .lamp') != null || document.getElementById('panel').textContent.includes('no longer')`);
+    await b.until(`document.querySelector('#panel .lamp') != null ||
+            document.getElementById('panel').textContent.includes('no longer')`);
     await shoot('sample-runs');
     await b.key('0');
     await b.until('app.run?.world.steps === 0 && app.memory.ghosts.length === 1');
@@ -93,7 +104,8 @@ await check('400 disks: two samples side by side, three seeds one after the othe
     const [a, other] = JSON.parse(await b.evaluate('JSON.stringify([app.run.world.hash(), app.run.beside.hash()])'));
     want(a !== other, 'both are the same');
     await shoot('sample-beside');
-    await b.evaluate(`[...document.querySelectorAll('#controls button')].find(k => k.textContent === 'Three seeds').click()`);
+    await b.evaluate(
+        `[...document.querySelectorAll('#controls button')].find(k => k.textContent === 'Three seeds').click()`);
     await b.until('app.playing && app.state.seed === 1 && app.queue.length === 2');
     await b.evaluate('app.memory.last.strain = 1'); // as at the end
     await b.until('app.state.seed === 2 && app.run?.world.steps > 0 && app.memory.ghosts.length > 0');
@@ -105,7 +117,13 @@ await check('400 disks: two samples side by side, three seeds one after the othe
 // A picture at 60 a second has 16.7 ms; App gives 11 to the steps. The best of many: a busy machine takes time away.
 await check('400 disks: a picture is drawn in 5.5 ms', async () => {
     await b.until(ready);
-    const best = await b.evaluate(`(() => { let best = Infinity; for (let i = 0; i < 60; i++) { const t = performance.now(); app.draw(t); best = Math.min(best, performance.now() - t); } return best; })()`);
+    const best = await b.evaluate(`(() => {
+        let best = Infinity;
+        for (let i = 0; i < 60; i++) {
+            const t = performance.now();
+            app.draw(t), best = Math.min(best, performance.now() - t);
+        }
+        return best; })()`);
     want(best < 5.5, `${best} ms`);
 });
 
@@ -118,7 +136,10 @@ for (const [width, height] of [[1920, 1080], [1024, 768], [390, 844]])
             await b.open(`${url}#${scene}`, ready);
             await b.key('2');
             await b.until('app.told > 0');
-            const out = await b.evaluate(`[...document.querySelectorAll('body *')].filter(e => { const r = e.getBoundingClientRect(); return r.width && (r.right > innerWidth + 1 || (r.left < -1 && r.right > 0)); }).map(e => e.tagName + '#' + e.id).join()`);
+            const out = await b.evaluate(`[...document.querySelectorAll('body *')].filter(e => {
+                    const r = e.getBoundingClientRect();
+                    return r.width && (r.right > innerWidth + 1 || (r.left < -1 && r.right > 0));
+                }).map(e => e.tagName + '#' + e.id).join()`);
             want(out === '', scene, out);
             const box = await b.evaluate(`document.getElementById('picture').getBoundingClientRect().height`);
             want(box > .25 * Math.min(width, height), scene, 'the picture is', box, 'high');

@@ -9,7 +9,8 @@ const engine = await loadEngine(readFileSync(wasm));
 
 // A scene with some values, after a share of its time.
 function at(id, values, share = 1) {
-    const scene = SCENES.find(s => s.id === id), state = {...defaults(scene), ...values}, world = engine.open(0, scene.text(state));
+    const scene = SCENES.find(s => s.id === id), state = {...defaults(scene), ...values},
+          world = engine.open(0, scene.text(state));
     const run = {scene, world, engine}, steps = Math.floor(share * scene.seconds / world.dt);
     run.memory = scene.begin(world, state, null), scene.after?.(run);
     for (let k = 0; k < 20; k++) world.step(Math.floor(steps / 20)), scene.after?.(run);
@@ -29,18 +30,23 @@ for (const [v, w] of [[1, -4], [.5, 0], [0, 3], [-.4, 1]]) {
     close(`rim ${v} ${w}: slides`, c.vs, .25 * w + v, 1e-5), close(`rim ${v} ${w}: rolls`, c.vr, -.25 * w, 1e-5);
 }
 // Rigid rotation, rolling and sliding are found.
-for (const [values, wanted] of [[{w1: 1, w2: 1, turn: 1}, 'rigid'], [{w1: 1, w2: -1, turn: 0, R1: .2, R2: .2}, 'rolling'], [{w1: 1, w2: 1, turn: 0, R1: .2, R2: .2}, 'sliding']])
+for (const [values, wanted] of [[{w1: 1, w2: 1, turn: 1}, 'rigid'],
+                                [{w1: 1, w2: -1, turn: 0, R1: .2, R2: .2}, 'rolling'],
+                                [{w1: 1, w2: 1, turn: 0, R1: .2, R2: .2}, 'sliding']])
     if (at('pair', values, .05).run.memory.hits.join() !== wanted) console.log(`pair: not ${wanted}`), bad++;
 // 1 + R1/R2 turns in a round; the run ends 2e-4 before the round does.
-for (const ratio of [1, 3, 10]) close(`coin ${ratio}`, number(at('coin', {ratio}).read.lines[0][1]), 1 + ratio, .01 * (1 + ratio));
-// A disk ends with 2/3 of its speed, a sphere with 5/7; back-spin w brings it back with (2 v - R w)/3. The spring of the contact
-// swings on, by mu g/w_t with w_t = sqrt(3 k_t/m), 0.003 m/s at mu = 0.3.
-for (const [values, wanted] of [[{mu: .3, v: 1}, 2 / 3], [{mu: .1, v: 1}, 2 / 3], [{mu: .3, v: 1, shape: 'sphere'}, 5 / 7], [{mu: .3, v: 1, w: 12}, (2 - 3) / 3]])
+for (const ratio of [1, 3, 10])
+    close(`coin ${ratio}`, number(at('coin', {ratio}).read.lines[0][1]), 1 + ratio, .01 * (1 + ratio));
+// A disk ends with 2/3 of its speed, a sphere with 5/7; back-spin w brings it back with (2 v - R w)/3. The spring
+// of the contact swings on, by mu g/w_t with w_t = sqrt(3 k_t/m), 0.003 m/s at mu = 0.3.
+for (const [values, wanted] of [[{mu: .3, v: 1}, 2 / 3], [{mu: .1, v: 1}, 2 / 3],
+                                [{mu: .3, v: 1, shape: 'sphere'}, 5 / 7], [{mu: .3, v: 1, w: 12}, (2 - 3) / 3]])
     close(`throw ${JSON.stringify(values)}`, at('throw', values).world.disk(0).vx, wanted, .006);
-// The closed forms that the scene itself shows, against the run: both laws, all regions of the map, from rest over 0.6 s. The
-// springs take up to 0.01 m/s.
+// The closed forms that the scene itself shows, against the run: both laws, all regions of the map, from rest over
+// 0.6 s. The springs take up to 0.01 m/s.
 for (const law of ['wang', 'bagi-kuhn'])
-    for (const [slope, mu, mu_r] of [[4, .3, .1], [15, .3, .1], [25, .3, .2], [45, .3, .2], [50, .1, .05], [20, .1, .35], [40, .1, .35], [30, .5, 0], [3, .05, .4]]) {
+    for (const [slope, mu, mu_r] of [[4, .3, .1], [15, .3, .1], [25, .3, .2], [45, .3, .2], [50, .1, .05],
+                                     [20, .1, .35], [40, .1, .35], [30, .5, 0], [3, .05, .4]]) {
         const lines = at('slope', {slope, mu, mu_r, law}).read.lines;
         close(`slope ${slope} ${mu} ${mu_r} ${law}`, number(lines[0][1]), number(lines[1][1]), .03);
     }
@@ -48,6 +54,7 @@ for (const law of ['wang', 'bagi-kuhn'])
 for (let n = 3; n <= 8; n++) {
     const {world, read} = at('gears', {n}), sliding = number(read.lines[0][1]);
     if ((sliding > 0) !== (n % 2 === 1)) console.log(`gears ${n}: ${read.lines[0][1]} slide`), bad++;
-    if (n % 2 === 0) for (let k = 1; k < n; k++) close(`gears ${n}: spin of ${k}`, world.disk(k).spin, k % 2 ? -2 : 2, .05);
+    if (n % 2 === 0)
+        for (let k = 1; k < n; k++) close(`gears ${n}: spin of ${k}`, world.disk(k).spin, k % 2 ? -2 : 2, .05);
 }
 process.exit(bad ? 1 : 0);

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The library in WebAssembly, run by node: the same bits as here, and the same messages. Without node or the compiler for
-# WebAssembly: a counted skip.
+# The library in WebAssembly, run by node: the same bits as here, and the same messages. Without node or the compiler
+# for WebAssembly: a counted skip.
 set -u
 # shellcheck source=tests/system/tap.sh
 . "$(dirname "$0")/../system/tap.sh"
@@ -14,7 +14,8 @@ for tool in node clang-14 wasm-ld-14 wasm-opt; do
     finish
 done
 check 'the library builds for WebAssembly' make --no-print-directory -s "$wasm" BUILD="$BUILD"
-[ -x "$native" ] || make --no-print-directory -s "$native" BUILD="$BUILD" >/dev/null # make test has built it, with its own flags
+# make test has built this one, with its own flags.
+[ -x "$native" ] || make --no-print-directory -s "$native" BUILD="$BUILD" >/dev/null
 in_wasm() { node tests/live/bits.mjs "$page/engine.mjs" "$wasm" "$@"; }
 
 card() {
@@ -30,7 +31,8 @@ same() {
 }
 # shellcheck disable=SC2046 # no blanks in these names
 check 'the cases of a few disks: the same positions after 2000 steps' same 2000 $(grep -l '^kind: bodies' cases/*.yaml)
-moved() { [ "$(grep -c '^cases.* [0-9a-f]*$' "$work/wasm")" -ge 8 ]; } # the others have several documents: the same message
+# The others have several documents: the same message.
+moved() { [ "$(grep -c '^cases.* [0-9a-f]*$' "$work/wasm")" -ge 8 ]; }
 check 'and eight cases at least have moved' moved
 check 'the biaxial test: the same positions after 10,000 steps' same 10000 cases/biaxial.yaml
 
@@ -71,8 +73,8 @@ refused() { [ "$(grep -c 'yaml:[0-9]*:[0-9]*: error: ' "$work/native")" -eq "$n"
 check 'and each of them is refused with a place' refused
 
 imports() {
-    node -e 'for (const i of WebAssembly.Module.imports(new WebAssembly.Module(require("fs").readFileSync(process.argv[1])))) console.log(i.module)' \
-        "$wasm" | sort -u >"$work/imports"
+    node -e 'const module = new WebAssembly.Module(require("fs").readFileSync(process.argv[1]));
+        for (const i of WebAssembly.Module.imports(module)) console.log(i.module)' "$wasm" | sort -u >"$work/imports"
     [ "$(cat "$work/imports")" = wasi_snapshot_preview1 ]
 }
 check 'it imports nothing but a few functions of WASI' imports

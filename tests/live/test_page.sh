@@ -18,14 +18,23 @@ alone() { ! sed "s/^const WASM = .*//" "$work/out/live/index.html" | grep -nE '(
 check 'it is one file that loads nothing' alone
 
 # The modules share one scope in the page: a name twice would be a mistake that the modules one by one do not have.
-parses() { sed -n '/^<script type="module">$/,/^<\/script>$/p' "$work/out/live/index.html" | sed '1d;$d' >"$work/all.mjs" && node --check "$work/all.mjs"; }
+parses() {
+    sed -n '/^<script type="module">$/,/^<\/script>$/p' "$work/out/live/index.html" | sed '1d;$d' >"$work/all.mjs" &&
+        node --check "$work/all.mjs"
+}
 check 'no name of the modules is there twice' parses
 
-timeout 900 node tests/live/page.mjs chromium "$work/profile" "$work/out/live/index.html" ${SHOTS:+"$SHOTS"} >"$work/page" 2>"$work/page.err"
-passed() { grep -qxF "ok $1" "$work/page" || { grep -F "not ok $1" "$work/page" || cat "$work/page" "$work/page.err"; false; }; }
+timeout 900 node tests/live/page.mjs chromium "$work/profile" "$work/out/live/index.html" ${SHOTS:+"$SHOTS"} \
+    >"$work/page" 2>"$work/page.err"
+passed() {
+    grep -qxF "ok $1" "$work/page" && return
+    grep -F "not ok $1" "$work/page" || cat "$work/page" "$work/page.err"
+    false
+}
 for name in 'every scene by keyboard alone' 'arrows are dragged, values typed, limits told' \
     'a link with nonsense opens the first scene and says so' \
-    '400 disks: laws change while it runs, a contact is followed, the curve of before stays' '400 disks: two samples side by side, three seeds one after the other' '400 disks: a picture is drawn in 5.5 ms' \
+    '400 disks: laws change while it runs, a contact is followed, the curve of before stays' \
+    '400 disks: two samples side by side, three seeds one after the other' '400 disks: a picture is drawn in 5.5 ms' \
     '1920 by 1080: nothing sticks out, dark and light' '1024 by 768: nothing sticks out, dark and light' \
     '390 by 844: nothing sticks out, dark and light' 'the console stays silent'; do
     check "$name" passed "$name"

@@ -34,18 +34,25 @@ export class Painter {
         this.box = box;
     }
 
-    px(x) { return this.x0 + this.scale * x; }
-    py(y) { return this.y0 - this.scale * y; }
+    px(x) {
+        return this.x0 + this.scale * x;
+    }
+    py(y) {
+        return this.y0 - this.scale * y;
+    }
     /* From a pointer on the page to the world. */
     world(event) {
         const box = this.canvas.getBoundingClientRect();
-        return [((event.clientX - box.left) * this.ratio - this.x0) / this.scale,
-            (this.y0 - (event.clientY - box.top) * this.ratio) / this.scale];
+        return [
+            ((event.clientX - box.left) * this.ratio - this.x0) / this.scale,
+            (this.y0 - (event.clientY - box.top) * this.ratio) / this.scale
+        ];
     }
 
     path(points, colour_, width = .08) {
         this.c.beginPath();
-        points.forEach(([x, y], i) => i ? this.c.lineTo(this.px(x), this.py(y)) : this.c.moveTo(this.px(x), this.py(y)));
+        points.forEach(([x, y], i) =>
+                           i ? this.c.lineTo(this.px(x), this.py(y)) : this.c.moveTo(this.px(x), this.py(y)));
         this.c.strokeStyle = colour_, this.c.lineWidth = width * this.em;
         this.c.stroke();
     }
@@ -72,7 +79,8 @@ export class Painter {
         const tip = (px, py, turn) => {
             c.beginPath();
             c.moveTo(px, py);
-            for (const s of [-1, 1]) c.lineTo(px - head * Math.cos(a + turn + .45 * s), py - head * Math.sin(a + turn + .45 * s));
+            for (const s of [-1, 1])
+                c.lineTo(px - head * Math.cos(a + turn + .45 * s), py - head * Math.sin(a + turn + .45 * s));
             c.closePath(), c.fillStyle = colour_, c.fill();
         };
         this.path([[x, y], [x + dx * (1 - .5 * head / length), y + dy * (1 - .5 * head / length)]], colour_, width);
@@ -90,15 +98,19 @@ export class Painter {
         this.c.fillText(text, px, py);
     }
 
-    /* Curves over one axis. curves: [{points: [[x, y]], colour, dash, name}], dots: [[x, y]], texts: [[x, y, text]]; box in pixels. */
+    /* Curves over one axis. curves: [{points: [[x, y]], colour, dash, name}], dots: [[x, y]],
+     * texts: [[x, y, text]]; box in pixels. */
     chart(box, {x: [x0, x1], y: [y0, y1], xName, yName, curves, dots = [], texts = []}) {
         const c = this.c, left = box.x + 3.2 * this.em, right = box.x + box.w - .6 * this.em;
         const top = box.y + 1.3 * this.em, bottom = box.y + box.h - 1.7 * this.em;
-        const at = ([x, y]) => [left + (right - left) * (x - x0) / (x1 - x0), bottom - (bottom - top) * (y - y0) / (y1 - y0)];
+        const at =
+            ([x, y]) => [left + (right - left) * (x - x0) / (x1 - x0), bottom - (bottom - top) * (y - y0) / (y1 - y0)];
         c.strokeStyle = this.line, c.lineWidth = .05 * this.em;
         c.strokeRect(left, top, right - left, bottom - top);
-        for (const y of [y0, (y0 + y1) / 2, y1]) this.label(short(y), left - .3 * this.em, at([x0, y])[1], {align: 'right', size: .8});
-        for (const x of [x0, x1]) this.label(short(x), at([x, y0])[0], bottom + .8 * this.em, {align: x === x0 ? 'left' : 'right', size: .8});
+        for (const y of [y0, (y0 + y1) / 2, y1])
+            this.label(short(y), left - .3 * this.em, at([x0, y])[1], {align: 'right', size: .8});
+        for (const x of [x0, x1])
+            this.label(short(x), at([x, y0])[0], bottom + .8 * this.em, {align: x === x0 ? 'left' : 'right', size: .8});
         this.label(xName, (left + right) / 2, bottom + .8 * this.em, {align: 'center', size: .8});
         this.label(yName, left, top - .7 * this.em, {size: .8});
         c.save();
@@ -111,9 +123,12 @@ export class Painter {
         }
         c.restore();
         c.setLineDash([]);
-        for (const dot of dots) c.beginPath(), c.arc(...at(dot), .3 * this.em, 0, 2 * Math.PI), c.fillStyle = this.ink, c.fill();
+        for (const dot of dots)
+            c.beginPath(), c.arc(...at(dot), .3 * this.em, 0, 2 * Math.PI), c.fillStyle = this.ink, c.fill();
         for (const [x, y, text] of texts) this.label(text, ...at([x, y]), {align: 'center', size: .9});
-        this.names(curves.filter(k => k.name && k.points.length > 1).map(k => [k.name, ...at(k.points[k.points.length - 1])]), left, right, top, bottom);
+        this.names(
+            curves.filter(k => k.name && k.points.length > 1).map(k => [k.name, ...at(k.points[k.points.length - 1])]),
+            left, right, top, bottom);
     }
 
     /* Beside the ends of curves, one below the other. */
@@ -123,7 +138,8 @@ export class Painter {
         for (const [name, px, py] of list.sort((a, b) => a[2] - b[2])) {
             const y = Math.max(below + .55 * this.em, py - .6 * this.em);
             const behind = px < left + .5 * (right - left); /* there is more room behind the end */
-            this.label(name, Math.min(px, right) + (behind ? .3 : -.3) * this.em, Math.min(y, bottom - .5 * this.em), {align: behind ? 'left' : 'right', size: .8});
+            this.label(name, Math.min(px, right) + (behind ? .3 : -.3) * this.em, Math.min(y, bottom - .5 * this.em),
+                       {align: behind ? 'left' : 'right', size: .8});
             below = y + gap - .55 * this.em;
         }
     }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The library as a JavaScript object. Nothing is computed here: text goes in, numbers come out of the module's memory. */
+/* The library as a JavaScript object. Nothing is computed here: text goes in, numbers come out of its memory. */
 
 export const ROLLING = 0, SLIDING = 1;
 
@@ -30,14 +30,13 @@ function system(memory) {
             view.setUint32(written, size, true);
             return 0;
         },
-        proc_exit: code => {
-            throw new Error('the library ended with code ' + code);
-        },
+        proc_exit: code => { throw new Error('the library ended with code ' + code); },
     };
 }
 
 const DISK = ['x', 'y', 'angle', 'vx', 'vy', 'spin', 'fx', 'fy', 'torque', 'radius', 'mass'];
-const TOUCH = ['x', 'y', 'nx', 'ny', 'overlap', 'f_n', 'f_t', 'moment_a', 'moment_b', 'v_s', 'v_r', 's1', 's2', 'mobilisation'];
+const TOUCH =
+    ['x', 'y', 'nx', 'ny', 'overlap', 'f_n', 'f_t', 'moment_a', 'moment_b', 'v_s', 'v_r', 's1', 's2', 'mobilisation'];
 const MOTION = ['R1', 'R2', 'x1', 'y1', 'vx1', 'vy1', 'w1', 'x2', 'y2', 'vx2', 'vy2', 'w2'];
 
 export async function loadEngine(bytes) {
@@ -77,7 +76,8 @@ class Engine {
     }
 
     names(kind) {
-        return Array.from({length: this.c.live_definitions(kind)}, (_, i) => this.text(this.c.live_definition(kind, i)));
+        return Array.from({length: this.c.live_definitions(kind)},
+                          (_, i) => this.text(this.c.live_definition(kind, i)));
     }
 
     version() {
@@ -91,7 +91,8 @@ class Engine {
         return new World(this, slot);
     }
 
-    /* motion: {R1, R2, x1, y1, vx1, vy1, w1, x2, ...}, what is missing is 0; R1 Infinity: a floor. By each definition. */
+    /* motion: {R1, R2, x1, y1, vx1, vy1, w1, x2, ...}, what is missing is 0; R1 Infinity: a floor. By each
+     * definition. */
     measure(motion) {
         const m = this.doubles(this.c.live_motion(), MOTION.length);
         MOTION.forEach((name, i) => { m[i] = motion[name] ?? 0; });
@@ -134,7 +135,8 @@ class World {
         const n = this.c.live_contacts(this.slot);
         if (n < 0) this.engine.check(1);
         const at = this.c.live_touches(this.slot), stride = this.engine.stride;
-        const ids = new Int32Array(this.c.memory.buffer, at, 2 * stride * n), numbers = this.engine.doubles(at, stride * n);
+        const ids = new Int32Array(this.c.memory.buffer, at, 2 * stride * n),
+              numbers = this.engine.doubles(at, stride * n);
         return {n, stride, a: i => ids[2 * stride * i], b: i => ids[2 * stride * i + 1], numbers};
     }
 

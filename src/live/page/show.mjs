@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /* The scenes, in order; their states as the address holds them: #pair?w1=1&w2=-0.5 */
-import {rimScene} from './rim.mjs';
-import {wheelsScene} from './wheels.mjs';
-import {pairScene} from './pair.mjs';
 import {coinScene} from './coin.mjs';
-import {throwScene} from './throw.mjs';
-import {whoScene} from './who.mjs';
-import {slopeScene} from './slope.mjs';
 import {gearsScene} from './gears.mjs';
+import {pairScene} from './pair.mjs';
+import {rimScene} from './rim.mjs';
 import {sampleScene} from './sample.mjs';
+import {slopeScene} from './slope.mjs';
+import {throwScene} from './throw.mjs';
+import {wheelsScene} from './wheels.mjs';
+import {whoScene} from './who.mjs';
 
-export const SCENES = [rimScene, wheelsScene, pairScene, coinScene, throwScene, whoScene, slopeScene, gearsScene, sampleScene];
+export const SCENES =
+    [rimScene, wheelsScene, pairScene, coinScene, throwScene, whoScene, slopeScene, gearsScene, sampleScene];
 
 /* Inside its range; {value, limited}. NaN: the default. */
 export function limit(control, value) {
@@ -26,7 +27,8 @@ export function defaults(scene) {
 }
 
 export function toAddress(scene, state) {
-    const changed = scene.controls.filter(c => state[c.key] !== c.value).map(c => `${c.key}=${encodeURIComponent(state[c.key])}`);
+    const changed =
+        scene.controls.filter(c => state[c.key] !== c.value).map(c => `${c.key}=${encodeURIComponent(state[c.key])}`);
     return '#' + scene.id + (changed.length ? '?' + changed.join('&') : '');
 }
 
@@ -38,7 +40,10 @@ export function fromAddress(address) {
     const state = defaults(scene);
     for (const [key, value] of new URLSearchParams(query)) {
         const control = scene.controls.find(c => c.key === key);
-        if (!control) { wrong.push(key); continue; }
+        if (!control) {
+            wrong.push(key);
+            continue;
+        }
         const got = limit(control, value);
         state[key] = got.value;
         if (got.limited) wrong.push(`${key}=${value}`);

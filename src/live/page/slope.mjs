@@ -5,15 +5,25 @@ import {short} from './draw.mjs';
 import {word} from './words.mjs';
 
 const GRAVITY = 9.81;
-/* Each law: its keys; the slope tan(alpha) from which it slips while it rolls [cases/incline-*.yaml]; the slope that friction
- * alone can hold; the acceleration while it slips. Friction mu N acts with the law's T: a moment T R, or a moment T R/2 and a
- * force T/2. With the latter a disk may spin backwards, so fast that no material flows through the contact on average:
+/* Each law: its keys; the slope tan(alpha) from which it slips while it rolls [cases/incline-*.yaml]; the slope that
+ * friction alone can hold; the acceleration while it slips. Friction mu N acts with the law's T: a moment T R, or a
+ * moment T R/2 and a force T/2. With the latter a disk may spin backwards, so fast that no
+ * material flows through the contact on average:
  * d(R w)/dt = (T - 2 mu N)/m = dv/dt; T is then below its bound. */
 const LAWS = {
-    wang: {keys: 'rolling: wang-spring, rolling_velocity: wang', slips: (mu, r) => 3 * mu - 2 * r, holds: mu => mu,
-        slides: (down, press, mu) => down - mu * press},
-    'bagi-kuhn': {keys: 'rolling: conjugate-spring, rolling_velocity: bagi-kuhn', slips: (mu, r) => 3 * mu - r / 2, holds: mu => 2 * mu,
-        slides: (down, press, mu, r) => 2 / 3 * (down + mu * press) <= r * press ? 2 / 3 * down - 4 / 3 * mu * press : down - (mu + r / 2) * press},
+    wang: {
+        keys: 'rolling: wang-spring, rolling_velocity: wang',
+        slips: (mu, r) => 3 * mu - 2 * r,
+        holds: mu => mu,
+        slides: (down, press, mu) => down - mu * press
+    },
+    'bagi-kuhn': {
+        keys: 'rolling: conjugate-spring, rolling_velocity: bagi-kuhn',
+        slips: (mu, r) => 3 * mu - r / 2,
+        holds: mu => 2 * mu,
+        slides: (down, press, mu, r) =>
+            2 / 3 * (down + mu * press) <= r * press ? 2 / 3 * down - 4 / 3 * mu * press : down - (mu + r / 2) * press
+    },
 };
 
 /* Rests up to mu_r, or to what friction holds where that is less: then it slips without rolling. */
@@ -35,7 +45,9 @@ function exact(s) {
 }
 
 export const slopeScene = {
-    id: 'slope', seconds: .6, pace: .3,
+    id: 'slope',
+    seconds: .6,
+    pace: .3,
     controls: [
         {key: 'slope', name: 'α', unit: '°', min: 0, max: 60, step: .5, value: 25},
         {key: 'mu', name: 'μ', unit: '', min: 0, max: .6, step: .01, value: .3},
@@ -44,10 +56,12 @@ export const slopeScene = {
     ],
     /* The floor stays level in these numbers, and gravity leans. */
     text: s => `# ${word('scene.slope.title')}\nkind: bodies\ntime_end: ${slopeScene.seconds} s\ngravity:\n` +
-        `  x: ${GRAVITY} m/s^2*sin(${s.slope} deg)\n  y: -${GRAVITY} m/s^2*cos(${s.slope} deg)\n` +
-        `contact: {k_n: 100 MPa, k_t: 100 MPa, damping_ratio: 0.3, mu: ${s.mu}, mu_r: ${s.mu_r}, k_r: 100 MPa, ${LAWS[s.law].keys}}\n` +
-        `disks:\n  - {radius: ${WHEEL} m, density: 1200 kg/m^3, x: 0, y: radius + density*pi*radius^2*gravity.y/contact.k_n}\n` +
-        'walls:\n  - {nx: 0, ny: 1}\noutput: {frames: 100, rows: 101, contacts: 11, curve: speed}\n',
+               `  x: ${GRAVITY} m/s^2*sin(${s.slope} deg)\n  y: -${GRAVITY} m/s^2*cos(${s.slope} deg)\n` +
+               `contact: {k_n: 100 MPa, k_t: 100 MPa, damping_ratio: 0.3, mu: ${s.mu}, mu_r: ${s.mu_r}, k_r: 100 MPa, ${
+                   LAWS[s.law].keys}}\n` +
+               `disks:\n  - {radius: ${
+                   WHEEL} m, density: 1200 kg/m^3, x: 0, y: radius + density*pi*radius^2*gravity.y/contact.k_n}\n` +
+               'walls:\n  - {nx: 0, ny: 1}\noutput: {frames: 100, rows: 101, contacts: 11, curve: speed}\n',
     begin: world => ({start: world.disk(0)}),
     draw(p, {world, memory}, s, r) {
         const whole = p.box, d = world.disk(0), a = s.slope * Math.PI / 180;
@@ -69,13 +83,24 @@ export const slopeScene = {
             {points: points(x => [x, Math.min(x, holds)]), colour: p.faint},
             {points: points(x => [x, slips(x)]), colour: p.ink}] : [],
         dots: [[s.mu_r, Math.tan(s.slope * Math.PI / 180)]],
-        texts: r.tell ? [[.32, .06, word('slope.rests')], [.05, .3 + .5 * s.mu, word('slope.rolls')], [.3, Math.min(1.7, .9 * top), word('slope.slips')]] : []});
+        texts: r.tell ? [
+            [.32, .06, word('slope.rests')], [.05, .3 + .5 * s.mu, word('slope.rolls')],
+            [.3, Math.min(1.7, .9 * top), word('slope.slips')]
+        ] : []});
     },
     read({world, engine}, s) {
         const d = world.disk(0), definitions = engine.measure(floorMotion(d)), t = world.time();
-        const vs = definitions.sliding.wang, vr = definitions.rolling.wang, still = Math.abs(vs) < .01 * (1 + Math.abs(d.vx));
-        return {contacts: [{vs: still ? 0 : vs, vr: Math.abs(vr) < .01 ? 0 : vr}], scale: 2, definitions,
-            lines: [[word('slope.measured'), `${short(t ? d.vx / t : NaN)} m/s²`], [word('slope.exact'), `${short(exact(s))} m/s²`]],
-            sentence: word('slope.' + fate(s) + 'Now')};
+        const vs = definitions.sliding.wang, vr = definitions.rolling.wang,
+              still = Math.abs(vs) < .01 * (1 + Math.abs(d.vx));
+        return {
+            contacts: [{vs: still ? 0 : vs, vr: Math.abs(vr) < .01 ? 0 : vr}],
+            scale: 2,
+            definitions,
+            lines: [
+                [word('slope.measured'), `${short(t ? d.vx / t : NaN)} m/s²`],
+                [word('slope.exact'), `${short(exact(s))} m/s²`]
+            ],
+            sentence: word('slope.' + fate(s) + 'Now')
+        };
     },
 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Scene 1: three wheels with the same speed: one rolls, one skids, one spins on the spot. */
-import {drawWheel, drawMotion, floorMotion, floorText, wheelText, WHEEL} from './rim.mjs';
+import {drawMotion, drawWheel, floorMotion, floorText, WHEEL, wheelText} from './rim.mjs';
 import {word} from './words.mjs';
 
 const WHEELS_SCALE = 1;
@@ -13,13 +13,15 @@ function contacts(world, engine) {
 }
 
 export const wheelsScene = {
-    id: 'wheels', seconds: 4, pace: 1,
+    id: 'wheels',
+    seconds: 4,
+    pace: 1,
     controls: [
         {key: 'v', name: 'v', unit: 'm/s', min: -1, max: 1, step: .01, value: .5},
         {key: 'w', name: 'ω', unit: 'rad/s', min: -4, max: 4, step: .01, value: -2},
     ],
-    text: s => floorText(wheelText(0, s.v, -s.v / WHEEL) + wheelText(20, s.v, 0) + wheelText(40, 0, s.w), wheelsScene.seconds,
-        word('scene.wheels.title')),
+    text: s => floorText(wheelText(0, s.v, -s.v / WHEEL) + wheelText(20, s.v, 0) + wheelText(40, 0, s.w),
+                         wheelsScene.seconds, word('scene.wheels.title')),
     begin: world => ({start: [0, 1, 2].map(i => world.disk(i))}),
     draw(p, {world, memory}, s, r) {
         const whole = p.box;
