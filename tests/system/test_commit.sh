@@ -17,7 +17,8 @@ check 'summary.json names the same' says "$work/fall/summary.json" "\"commit\": 
 check 'README cites the version that this is' says README.md "note = {Version $("$TRUNDLE" --version | sed 's/^trundle \(.*\), .*/\1/'), MIT licence}"
 
 # ---- the build, in a copy of two sources ----
-mkdir -p "$work/outer/copy/src/base" && cp Makefile "$work/outer/copy" && cp src/base/commit.c src/base/version.h src/base/student.[ch] "$work/outer/copy/src/base"
+mkdir -p "$work/outer/copy/src/base" && cp Makefile "$work/outer/copy" && cp src/base/commit.c src/base/version.h src/base/math.h src/base/student.[ch] \
+    "$work/outer/copy/src/base"
 echo 'extern const char tr_commit[]; int puts(const char *); int main(void) { return puts(tr_commit) < 0; }' >"$work/main.c"
 cd "$work/outer/copy" || exit 1
 objects='build/release/src/base/commit.c.o build/release/src/base/student.c.o'
