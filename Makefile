@@ -75,7 +75,8 @@ wang: packages-build ## Wang's Figs. 5 and 6 with verdicts: out/wang/ (20 min; S
 	figures/wang/wang.sh ./trundle out/wang $(SEEDS)
 
 # Kuhn's assemblies with a verdict on each trend. Continues with the finished runs; DISKS=400 is quicker than 4096,
-# Kuhn's number. One to two hours.
+# Kuhn's number. Two runs at a time; the four runs of disks take less than half an hour on two processors, small spheres
+# take hours.
 DISKS ?= 4096
 kuhn: packages-build ## Kuhn's assemblies with verdicts: out/kuhn-4096/ (hours; DISKS=400 is quicker)
 	@$(MAKE) --no-print-directory build-all

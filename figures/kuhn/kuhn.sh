@@ -29,17 +29,33 @@ run() {
     "$trundle" run "$case" -o "$out/$name" --resume --sample "$sample" --set sample.disks="$n" "$@" >"$out/$name.said" ||
         { [ $? -eq 4 ] && [ -s "$out/$name/history.csv" ]; } # one that breaks down has come so far
 }
+
+# Two at a time, one on each of two processors: both NAME ... -- NAME ...
+both() {
+    first=
+    while [ "$1" != -- ]; do first="$first '$1'" && shift; done
+    shift
+    eval "run $first" &
+    job=$!
+    failed=
+    run "$@" || failed=$?
+    wait "$job" || failed=$?
+    return ${failed:-0}
+}
+
+# Each size has its packing from its first run.
 for shape in disks spheres; do
-    for size in large small; do
-        for law in cattaneo-mindlin kuhn-creep; do run "$shape-$size-$law" "$shape" "$size" contact.friction=$law; done
+    for law in cattaneo-mindlin kuhn-creep; do
+        both $shape-large-$law $shape large contact.friction=$law -- $shape-small-$law $shape small contact.friction=$law
     done
 done
+without=contact.friction=cattaneo-mindlin
 # The third reason: strength against the coefficient of friction; the large contacts, which are quick.
-for mu in 0.1 0.2 0.3 0.8; do run "mu-$mu" disks large contact.friction=cattaneo-mindlin contact.mu=$mu; done
+both mu-0.1 disks large $without contact.mu=0.1 -- mu-0.2 disks large $without contact.mu=0.2
+both mu-0.3 disks large $without contact.mu=0.3 -- mu-0.8 disks large $without contact.mu=0.8
 # Is the answer that of slow tests, and of which interval?
-run slow-cattaneo-mindlin disks large contact.friction=cattaneo-mindlin shear.inertial_number=1e-3
-run fast-cattaneo-mindlin disks large contact.friction=cattaneo-mindlin shear.inertial_number=1e-2
-run interval-long disks large contact.friction=cattaneo-mindlin output.rows=101
-run interval-short disks large contact.friction=cattaneo-mindlin output.rows=2501
+both slow-cattaneo-mindlin disks large $without shear.inertial_number=1e-3 -- \
+    fast-cattaneo-mindlin disks large $without shear.inertial_number=1e-2
+both interval-long disks large $without output.rows=101 -- interval-short disks large $without output.rows=2501
 
 "$here/tables.sh" "$out"

@@ -103,6 +103,7 @@ static void follow(subject *s, const subject *first) {
     to->cell = from->cell;
 }
 
+/* first: whose packing it takes; itself: its own. */
 static bool prepare(subject *s, const subject *first, const tr_scene *scene, int threads, tr_status *st) {
     bool done = s != first;
     double unbalanced;
@@ -167,10 +168,10 @@ bool tr_bench(const tr_scene *const *scenes, int n, int threads, bool passes, tr
         if (scenes[i]->output.frames && !canvas) ok = (canvas = tr_canvas_create(st)) != NULL;
     for (int i = 0; ok && i < n; i++) {
         reports[i] = (tr_bench_report){0};
-        ok = prepare(&s[i], &s[0], scenes[i], threads, st);
+        ok = prepare(&s[i], passes ? &s[i] : &s[0], scenes[i], threads, st);
     }
     for (int k = 0; ok && k < BLOCKS; k++) {
-        for (int i = 1; i < n; i++) follow(&s[i], &s[0]);
+        for (int i = 1; i < n && !passes; i++) follow(&s[i], &s[0]);
         for (int i = 0; ok && i < n; i++) ok = run_block(&s[i], k, &reports[i], st);
         for (int i = 0; ok && i < n; i++)
             if (scenes[i]->output.frames) ok = draw(&s[i], k, canvas, st);

@@ -38,7 +38,10 @@ typedef struct tr_bench_report {
 /* Compacts and shears the first scene (kind: biaxial), a block of steps at a time. The others shear the same packing:
  * before each block of the first they take its positions and velocities, so that contacts differ by at most one block.
  * Scenes take turns, a block each, so that changes of the machine affect all alike. The first step of a block makes the
- * list again and does not count. passes: time each pass too. */
+ * list again and does not count.
+ *
+ * passes: time each pass too; every scene has its own sample, as in a run. A scene in the packing of another scene is not
+ * at rest: it moves more than in a run, and lists are made more often. */
 bool tr_bench(const tr_scene *const *scenes, int n, int threads, bool passes, tr_bench_report *reports, tr_status *st);
 
 #endif

@@ -70,6 +70,22 @@ static void read_case(tr_scene *scene, int disks) {
     if (!tr_scene_read(scene, "a.yaml", text, strlen(text), NULL, 0, tr_laws_catalog(), &st)) fail_msg("%s", st.text);
 }
 
+/* What a scene does beside another one is what it does alone: the same contacts, to the last one. */
+static void each_scene_has_its_sample(void **state) {
+    (void)state;
+    tr_scene scene[2];
+    tr_status st = {0};
+    tr_bench_report two[2], alone;
+    for (int i = 0; i < 2; i++) read_case(&scene[i], 40), scene[i].shear.strain_end = 0.02;
+    for (int k = 0; k < tr_laws_catalog()->n_rolling; k++)
+        if (!tr_laws_rolling[k]->step) scene[1].contact.rolling.law = k;
+    assert_true(tr_bench((const tr_scene *const[]){&scene[0], &scene[1]}, 2, 1, true, two, &st));
+    assert_true(tr_bench((const tr_scene *const[]){&scene[1]}, 1, 1, true, &alone, &st));
+    assert_true(two[1].touching == alone.touching && two[1].listed == alone.listed);
+    assert_true(two[0].touching != alone.touching);
+    tr_scene_free(&scene[0]), tr_scene_free(&scene[1]);
+}
+
 /* 2 x 2 tiles, mirrored at the right and at the top wall of the first: a contact with either becomes one of a disk with
  * its image, in both rows (columns); the contacts with the left and the bottom wall are there twice, at either end. All
  * contacts of disks are there four times. Tiles that are only shifted meet wrong neighbours, and miss these numbers. */
@@ -132,9 +148,9 @@ static void numbers_are_by_place(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(slope_of_a_power),       cmocka_unit_test(slope_is_least_squares),
-        cmocka_unit_test(quartiles_of_any_order), cmocka_unit_test(tiles_are_mirror_images),
-        cmocka_unit_test(numbers_are_by_place),
+        cmocka_unit_test(slope_of_a_power),        cmocka_unit_test(slope_is_least_squares),
+        cmocka_unit_test(quartiles_of_any_order),  cmocka_unit_test(each_scene_has_its_sample),
+        cmocka_unit_test(tiles_are_mirror_images), cmocka_unit_test(numbers_are_by_place),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
