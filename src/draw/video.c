@@ -159,13 +159,16 @@ bool tr_video_close(tr_video *v, bool keep, tr_status *st) {
 }
 
 /* Every k-th frame of the film, so that motion stays even. The film is read twice, once for the palette of all its
- * frames: ffmpeg would otherwise hold them in memory. No dithering: the pictures are flat colours. */
+ * frames: ffmpeg would otherwise hold them in memory. No dithering: the pictures are flat colours.
+ * The palette is chosen from colours of 16 bits: smoothed and scaled edges have so many colours of 24 bits that the
+ * choice took longer than the film. */
 static bool run_gif(const char *film, const char *part, int log, int frames_per_second, char *said, size_t size,
                     tr_status *st) {
     char filter[200];
     int k = (frames_per_second + TR_GIF_RATE - 1) / TR_GIF_RATE;
     snprintf(filter, sizeof filter,
-             "[0]framestep=%d,scale=640:-1[b];[1]framestep=%d,scale=640:-1,palettegen[p];[b][p]paletteuse=dither=none",
+             "[0]framestep=%d,scale=640:-1[b];[1]framestep=%d,scale=640:-1,format=rgb565le,palettegen[p];"
+             "[b][p]paletteuse=dither=none",
              k, k);
     char *from = url_of(film, st), *to = url_of(part, st);
     const char *args[] = {"ffmpeg",  "-nostdin",        "-loglevel", "error", "-i", from,       "-i",
