@@ -141,11 +141,12 @@ typedef struct packings {
     double overlap; /* of the smaller radius, expected in a contact */
     double q;       /* the same, at most, for the number of contacts that fit */
     double r_min;
+    const int *z; /* most contacts of each disk; NULL: not counted yet */
 } packings;
 
 static share share_of(const tr_world *world, int i, const packings *p) {
     const double *inv = world->disks.inv + 4 * (size_t)i;
-    double z = most_contacts(world, i, p->r_min, p->q);
+    double z = p->z ? p->z[i] : most_contacts(world, i, p->r_min, p->q);
     return (share){z * inv[0], z * inv[2]};
 }
 
@@ -198,6 +199,9 @@ static double all_limits(const tr_world *world, packings p, int few, share wall)
     int n = world->disks.n, rings = world->n_rings, smallest, largest;
     double bound = INFINITY;
     p.r_min = smallest_radius(world, &smallest, &largest);
+    int *z = world->disks.coordination; /* as room */
+    for (int i = 0; i < n; i++) z[i] = (int)most_contacts(world, i, p.r_min, p.q);
+    p.z = z;
     for (int i = rings; i < n; i++) {
         for (int a = 0; a < rings; a++) bound = fmin(bound, pair_limit(world, a, i, &p));
         if (n - rings > 1) {
