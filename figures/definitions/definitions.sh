@@ -48,9 +48,9 @@ rm -f "$out"/*.png
 if command -v gnuplot >/dev/null; then
     terminal='set terminal pngcairo size 1350,1080 font "DejaVu Sans,20" enhanced rounded linewidth 1.5'
     gnuplot -d -e "csv = '$out/motions.csv'; set output '$out/motions.png'; $terminal" "$here/../definitions.gp"
-    gnuplot -d -e "csv = '$out/path.csv'; names = '$names'; set output '$out/contact.png'; $terminal" "$here/look.gp" "$here/contact.gp"
+    gnuplot -d -e "csv = '$out/path.csv'; names = '$names'; set output '$out/contact.png'; $terminal" "$here/style.gp" "$here/contact.gp"
     gnuplot -d -e "csv = '$out/strength/collect.csv'; table = '$out/strength.csv'; names = '$names'; set output '$out/strength.png'" \
-        -e "set terminal pngcairo size 1350,700 font 'DejaVu Sans,18' enhanced rounded linewidth 1.5" "$here/look.gp" "$here/strength.gp"
+        -e "set terminal pngcairo size 1350,700 font 'DejaVu Sans,18' enhanced rounded linewidth 1.5" "$here/style.gp" "$here/strength.gp"
 else
     echo 'no pictures: gnuplot is not installed' >&2
 fi

@@ -275,7 +275,7 @@ static bool remove_one(const char *dir, const char *name) {
     return !unlink(path) || errno == ENOENT;
 }
 
-void tr_checkpoint_remove_part(const char *dir) {
+void tr_checkpoint_remove_temporary(const char *dir) {
     remove_one(dir, TR_CHECKPOINT ".part");
 }
 

@@ -79,7 +79,7 @@ bool tr_checkpoint_is_one(int fd);
 bool tr_checkpoint_remove(const char *dir);
 
 /* Removes the rest of a run that was killed while it wrote a checkpoint. */
-void tr_checkpoint_remove_part(const char *dir);
+void tr_checkpoint_remove_temporary(const char *dir);
 
 /* Makes sure that dir/name, a file or a directory, is on the disk. If it does not exist, nothing is done. */
 bool tr_checkpoint_sync(const char *dir, const char *name, tr_status *st);

@@ -55,13 +55,13 @@ enum { TR_BY_SHAPE = 80 };
 const char *tr_param_by_shape(const char *text, tr_shape shape, char buffer[TR_BY_SHAPE]);
 
 typedef enum tr_type {
-    TR_REAL,   /* double: a quantity with dimension dim */
-    TR_COUNT,  /* int */
-    TR_SEED,   /* uint64_t */
-    TR_CHOICE, /* int: index into choices */
-    TR_SWITCH, /* bool: yes | no */
-    TR_PICKS,  /* tr_scene_picks: a list of at most max contacts by name; empty if none is given */
-    TR_TEXT,   /* char[max]: one line of UTF-8, its NUL included */
+    TR_REAL,        /* double: a quantity with dimension dim */
+    TR_COUNT,       /* int */
+    TR_SEED,        /* uint64_t */
+    TR_CHOICE,      /* int: index into choices */
+    TR_SWITCH,      /* bool: yes | no */
+    TR_CONTACT_IDS, /* tr_contact_ids: a list of at most max contacts by name; empty if none is given */
+    TR_TEXT,        /* char[max]: one line of UTF-8, its NUL included */
 } tr_type;
 
 typedef struct tr_param {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A run has a number. The caller writes the work, then the number: a thread that reads the new number also sees the
- * work. A share is taken by setting its own number from that of the run before to that of this run, which only one
+ * work. A chunk is taken by setting its own number from that of the run before to that of this run, which only one
  * thread can do. A late thread fails at that and does not look at the work, which may already be of the next run. */
 #include "base/threads.h"
 
@@ -13,26 +13,26 @@
 #include <string.h>
 
 /* Looks at a number before a thread sleeps: about 100 us, longer than most waits in a step of 10,000 disks. */
-enum { LOOKS = 4000, CACHE_LINE = 64 };
+enum { POLLS = 4000, CACHE_LINE = 64 };
 
 typedef struct member {
-    _Alignas(CACHE_LINE) _Atomic uint64_t taken; /* number of the last run in which its share was taken */
+    _Alignas(CACHE_LINE) _Atomic uint64_t taken; /* number of the last run in which its chunk was taken */
     tr_threads *threads;
     pthread_t thread; /* of all threads except the first, which is the caller */
 } member;
 
 struct tr_threads {
-    int n, made; /* shares; threads that were made */
-    int looks;
+    int n, made; /* chunks; threads that were made */
+    int polls;
     void (*work)(void *context, int k);
     void *context;
     pthread_mutex_t lock;
-    pthread_cond_t begun, done; /* a run has begun; the last share is done */
+    pthread_cond_t begun, done; /* a run has begun; the last chunk is done */
     atomic_int sleeping;        /* threads that wait for `begun` */
     atomic_bool waiting;        /* the caller waits for `done` */
     atomic_bool closing;
     _Alignas(CACHE_LINE) _Atomic uint64_t run; /* number of the present run */
-    _Alignas(CACHE_LINE) atomic_int left;      /* shares of it that are not done */
+    _Alignas(CACHE_LINE) atomic_int left;      /* chunks of it that are not done */
     member member[];
 };
 
@@ -49,25 +49,25 @@ static void wake(tr_threads *t, pthread_cond_t *who) {
     pthread_mutex_unlock(&t->lock);
 }
 
-/* The share of member k first. */
+/* The chunk of member k first. */
 static void take_shares(tr_threads *t, int k, uint64_t run) {
     for (int i = 0; i < t->n; i++) {
-        int share = (k + i) % t->n;
+        int chunk = (k + i) % t->n;
         uint64_t before = run - 1;
-        if (!atomic_compare_exchange_strong(&t->member[share].taken, &before, run)) continue;
-        t->work(t->context, share);
+        if (!atomic_compare_exchange_strong(&t->member[chunk].taken, &before, run)) continue;
+        t->work(t->context, chunk);
         if (atomic_fetch_sub(&t->left, 1) == 1 && atomic_load(&t->waiting)) wake(t, &t->done);
     }
 }
 
 /* The number of a run after `seen`. */
 static uint64_t wait_for_run(tr_threads *t, uint64_t seen) {
-    for (int i = 0; i < t->looks; i++) {
+    for (int i = 0; i < t->polls; i++) {
         if (atomic_load_explicit(&t->run, memory_order_relaxed) != seen) return atomic_load(&t->run);
         relax();
     }
     pthread_mutex_lock(&t->lock);
-    atomic_fetch_add(&t->sleeping, 1); /* before the last look: the caller looks at it after it has begun a run */
+    atomic_fetch_add(&t->sleeping, 1); /* before the last look: the caller polls at it after it has begun a run */
     while (atomic_load(&t->run) == seen) pthread_cond_wait(&t->begun, &t->lock);
     atomic_fetch_sub(&t->sleeping, 1);
     pthread_mutex_unlock(&t->lock);
@@ -75,7 +75,7 @@ static uint64_t wait_for_run(tr_threads *t, uint64_t seen) {
 }
 
 static void wait_until_done(tr_threads *t) {
-    for (int i = 0; i < t->looks; i++) {
+    for (int i = 0; i < t->polls; i++) {
         if (atomic_load(&t->left) == 0) return;
         relax();
     }
@@ -119,7 +119,7 @@ static int make_threads(tr_threads *t) {
 tr_threads *tr_threads_new(int n, tr_status *st) {
     tr_threads *t = tr_alloc(1, sizeof *t + (size_t)n * sizeof *t->member, st);
     if (!t) return NULL;
-    t->n = n, t->looks = tr_processors() < n ? 0 : LOOKS;
+    t->n = n, t->polls = tr_processors() < n ? 0 : POLLS;
     pthread_mutex_init(&t->lock, NULL);
     pthread_cond_init(&t->begun, NULL), pthread_cond_init(&t->done, NULL);
     int error = make_threads(t);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Threads that share work. They are made once, and wait between runs.
+/* Threads that chunk work. They are made once, and wait between runs.
  *
- * Work is cut into as many shares as there are threads. Thread k takes share k, so that the data of a share stay near
- * one processor. A thread that is done takes any share that no thread has begun. So if another program holds a
- * processor, work does not wait for the blocked thread. Results must not depend on the thread that does a share.
+ * Work is cut into as many chunks as there are threads. Thread k takes chunk k, so that the data of a chunk stay near
+ * one processor. A thread that is done takes any chunk that no thread has begun. So if another program holds a
+ * processor, work does not wait for the blocked thread. Results must not depend on the thread that does a chunk.
  *
  * WAITING. A thread first polls for about 100 microseconds, and then sleeps. It sleeps at once if there are more
  * threads than processors. */
@@ -27,12 +27,12 @@ void tr_threads_free(tr_threads *threads);
 /* How many; NULL: 1. */
 int tr_threads_count(const tr_threads *threads);
 
-/* work(context, k) once for each k from 0 to n - 1; all are done when it returns. NULL: the caller does the one share.
+/* work(context, k) once for each k from 0 to n - 1; all are done when it returns. NULL: the caller does the one chunk.
  * Call it from one thread at a time, and not from within work. */
 void tr_threads_run(tr_threads *threads, void (*work)(void *context, int k), void *context);
 
-/* The start of share k of n; it ends where share k + 1 starts. */
-static inline int tr_threads_share(int all, int k, int n) {
+/* The start of chunk k of n; it ends where chunk k + 1 starts. */
+static inline int tr_threads_chunk(int all, int k, int n) {
     return (int)((int64_t)all * k / n);
 }
 

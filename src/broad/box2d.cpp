@@ -107,11 +107,11 @@ void query(void *context, int k) {
     const Box2d &self = *job->self;
     const tr_broad_input *input = job->input;
     Share &share = job->self->shares[static_cast<size_t>(k)];
-    int high = tr_threads_share(input->n, k + 1, job->threads);
+    int high = tr_threads_chunk(input->n, k + 1, job->threads);
     try {
         share.failed = false;
         share.a.clear(), share.b.clear();
-        for (int a = tr_threads_share(input->n, k, job->threads); a < high; a++) {
+        for (int a = tr_threads_chunk(input->n, k, job->threads); a < high; a++) {
             share.near.clear();
             Collect collect{&self, input, &share.near, a};
             const double *p = input->pos + 4 * static_cast<size_t>(a);

@@ -15,16 +15,16 @@ static const struct slot {
     const char *name;
     const tr_law *const *laws;
 } slots[] = {{"normal", tr_laws_normal}, {"friction", tr_laws_friction}, {"rolling", tr_laws_rolling}};
-enum { N_SLOTS = sizeof slots / sizeof *slots };
+enum { N_LAW_KINDS = sizeof slots / sizeof *slots };
 
 static int count(int slot) {
     const tr_param_catalog *c = tr_laws_catalog();
-    const int n[N_SLOTS] = {c->n_normal, c->n_friction, c->n_rolling};
+    const int n[N_LAW_KINDS] = {c->n_normal, c->n_friction, c->n_rolling};
     return n[slot];
 }
 
 static void list(FILE *to) {
-    for (int s = 0; s < N_SLOTS; s++) {
+    for (int s = 0; s < N_LAW_KINDS; s++) {
         fprintf(to, "%s%s:\n", s ? "\n" : "", slots[s].name);
         for (int i = 0; i < count(s); i++)
             fprintf(to, "  %-26s %s\n", slots[s].laws[i]->table.name, slots[s].laws[i]->table.doc);
@@ -175,7 +175,7 @@ int tr_cli_laws(int argc, char **argv) {
     if (!name) return list(stdout), TR_OK;
     tr_near near = {NULL, 0};
     int found = 0;
-    for (int s = 0; s < N_SLOTS; s++)
+    for (int s = 0; s < N_LAW_KINDS; s++)
         for (int i = 0; i < count(s); i++) {
             const tr_law *law = slots[s].laws[i];
             tr_text_nearer(&near, name, law->table.name);

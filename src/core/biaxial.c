@@ -68,7 +68,7 @@ double tr_biaxial_rest_mu(const tr_scene *scene) {
 
 /* The friction of the compaction goes down to that of the shear: no list and no history changes. */
 static void set_mu(tr_biaxial *b, double mu) {
-    tr_slot *friction = &b->world.group[0].slot[TR_FRICTION];
+    tr_group_law *friction = &b->world.group[0].laws[TR_FRICTION];
     double *value = friction->law ? tr_law_value(friction->law, friction->par, "mu") : NULL;
     b->mu = mu;
     if (value) *value = mu;
@@ -83,7 +83,7 @@ static double closing_steps(const tr_biaxial *b) {
 static const double MOST_STEPS = 2e7; /* of compaction: minutes for 400 disks */
 
 double tr_biaxial_stiffness(const tr_biaxial *b, double pressure) {
-    const tr_slot *normal = &b->world.group[0].slot[TR_NORMAL];
+    const tr_group_law *normal = &b->world.group[0].laws[TR_NORMAL];
     double R = b->mean_radius, delta = normal->law->overlap(normal->par, R, R, 2 * R * pressure);
     return normal->law->elastic(normal->par, R, R, delta).stiffness;
 }
@@ -91,7 +91,7 @@ double tr_biaxial_stiffness(const tr_biaxial *b, double pressure) {
 /* Checks before the run: of the wanted stress, and of the cell at the end. */
 static bool check_reach(const tr_biaxial *b, double dense, tr_status *st) {
     const tr_scene *scene = b->scene;
-    const tr_slot *normal = &b->world.group[0].slot[TR_NORMAL];
+    const tr_group_law *normal = &b->world.group[0].laws[TR_NORMAL];
     const double R = b->mean_radius, asked[2] = {scene->compaction.pressure, scene->shear.lateral_pressure};
     for (int k = 0; k < 2; k++) {
         double overlap = normal->law->overlap(normal->par, R, R, 2 * R * asked[k]);
@@ -201,7 +201,7 @@ static bool fail_soft(const tr_biaxial *b, tr_status *st) {
     const tr_crush *c = &world->crush;
     if (!c->found) return false;
     const tr_scene_shear *shear = &b->scene->shear;
-    const tr_slot *normal = &world->group[c->walls].slot[TR_NORMAL];
+    const tr_group_law *normal = &world->group[c->walls].laws[TR_NORMAL];
     const double *pos = world->disks.pos, R1 = c->walls ? 0 : pos[4 * (size_t)c->a + 3], R2 = pos[4 * (size_t)c->b + 3];
     double one = fmax(stress(b, TR_TOP_WALL), stress(b, TR_RIGHT_WALL)),
            two = fmin(stress(b, TR_TOP_WALL), stress(b, TR_RIGHT_WALL)), R = c->walls ? R2 : fmin(R1, R2);

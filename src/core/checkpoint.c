@@ -3,7 +3,7 @@
 #include "base/math.h"
 
 #include "core/list.h"
-#include "core/shares_memory.h"
+#include "core/parallel_memory.h"
 #include <math.h>
 
 /* Pairs are sorted. Of two disks a is below b. */
@@ -74,7 +74,7 @@ static void keep_group(tr_group *g, const tr_world *world, tr_checkpoint *c) {
 
 void tr_world_checkpoint(tr_world *world, tr_checkpoint *c) {
     tr_disks *d = &world->disks;
-    if (c->loading) tr_shares_free(world->shares), world->shares = NULL; /* which are of another list */
+    if (c->loading) tr_parallel_free(world->parallel), world->parallel = NULL; /* which are of another list */
     keep_disks(world, c);
     keep_box(world, c);
     TR_KEEP(c, &world->steps, 1);

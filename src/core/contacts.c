@@ -147,7 +147,7 @@ static void pick(void *context, int k) {
     const tr_world *world = p->world;
     const tr_pairs *near = &world->near;
     const double *pos = world->disks.pos, *side = world->cell.side, skin = world->thin_skin;
-    int low = tr_threads_share(near->n, k, p->threads), high = tr_threads_share(near->n, k + 1, p->threads);
+    int low = tr_threads_chunk(near->n, k, p->threads), high = tr_threads_chunk(near->n, k + 1, p->threads);
     int to = low, crushed = near->n;
     for (int i = low; i < high; i++) {
         const double *one = pos + 4 * (size_t)near->a[i], *two = pos + 4 * (size_t)near->b[i];
@@ -167,7 +167,7 @@ static void put(void *context, int k) {
     const tr_pairs *near = &p->world->near;
     const share *s = &p->share[k];
     tr_group *g = &p->world->group[0];
-    int from = tr_threads_share(near->n, k, p->threads);
+    int from = tr_threads_chunk(near->n, k, p->threads);
     for (int i = 0; i < s->n; i++) {
         int pair = p->world->picked[from + i];
         g->a[s->first + i] = near->a[pair], g->b[s->first + i] = near->b[pair];

@@ -6,9 +6,10 @@
 #include <stdio.h>
 #include <string.h>
 
-tr_crush_limit tr_crush_find(const tr_slot *normal, tr_shape shape, double R1, double R2, double force, double energy) {
+tr_crush_limit tr_crush_find(const tr_group_law *normal, tr_shape shape, double R1, double R2, double force,
+                             double energy) {
     static const char *const keys[] = {"k_n", "E_star"};
-    tr_slot trial = *normal;
+    tr_group_law trial = *normal;
     double depth = TR_LARGEST_OVERLAP * tr_world_smaller(R1, R2);
     for (int k = 0; k < 2; k++) {
         double *value = tr_law_value(trial.law, trial.par, keys[k]);
@@ -53,7 +54,7 @@ static double kinetic_energy(const tr_world *w) {
 }
 
 void tr_crush_say(const tr_world *world, const tr_crush *crush, char *text, size_t size) {
-    const tr_slot *normal = &tr_world_group(world, crush->walls ? -1 - crush->a : crush->a)->slot[TR_NORMAL];
+    const tr_group_law *normal = &tr_world_group(world, crush->walls ? -1 - crush->a : crush->a)->laws[TR_NORMAL];
     const tr_disks *d = &world->disks;
     const size_t one = 4 * (size_t)(crush->walls ? crush->b : crush->a), two = 4 * (size_t)crush->b;
     const double *inv1 = d->inv + one, *inv2 = d->inv + two;

@@ -14,7 +14,8 @@ typedef struct tr_crush_limit {
 
 /* holds: the smallest value, in steps of a tenth, at which a contact of these radii (R1 = 0: a wall) carries this force
  * and takes this energy within TR_LARGEST_OVERLAP. */
-tr_crush_limit tr_crush_find(const tr_slot *normal, tr_shape shape, double R1, double R2, double force, double energy);
+tr_crush_limit tr_crush_find(const tr_group_law *normal, tr_shape shape, double R1, double R2, double force,
+                             double energy);
 
 /* For a few bodies, for the message about this contact: the value that stops the approach, if no prescribed motion
  * presses. */

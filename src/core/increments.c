@@ -37,7 +37,7 @@ static void step(tr_tile *tile, const tr_law_data *data) {
     tr_increments *increments = (tr_increments *)data->par;
     struct tr_increments_sums *s = &increments->since;
     const tr_group *g = increments->sink.group;
-    const tr_slot *friction = &g->slot[TR_FRICTION];
+    const tr_group_law *friction = &g->laws[TR_FRICTION];
     double *h[N_HIST];
     for (int k = 0; k < N_HIST; k++) h[k] = g->hist[increments->sink.hist + k] + tile->first;
     tr_lane creep = {0};
@@ -71,7 +71,7 @@ void tr_increments_attach(tr_world *world, tr_increments *s) {
     tr_group *g = &world->group[0];
     *s = (tr_increments){0};
     for (int k = TR_NORMAL; k <= TR_FRICTION; k++) {
-        const double *E_star = tr_law_value(g->slot[k].law, g->slot[k].par, "E_star");
+        const double *E_star = tr_law_value(g->laws[k].law, g->laws[k].par, "E_star");
         if (E_star) s->E_star = *E_star;
     }
     g->in_order = true;

@@ -15,12 +15,12 @@ static int more_of_rolling(const tr_law *law) {
     return !!(law->needs & TR_GIVES_F_R) + !(law->claims & TR_BALANCED);
 }
 
-/* The start of the block of a slot; for TR_N_SLOTS: the end of all blocks. */
+/* The start of the block of a slot; for TR_N_LAW_KINDS: the end of all blocks. */
 static int block(const tr_group *g, int slot) {
-    const tr_law *rolling = g->slot[TR_ROLLING].law;
+    const tr_law *rolling = g->laws[TR_ROLLING].law;
     int at = g->ledger_sink.hist;
     if (slot > TR_NORMAL) at += N_NORMAL;
-    if (slot > TR_FRICTION && g->slot[TR_FRICTION].law->step) at += N_SPRING;
+    if (slot > TR_FRICTION && g->laws[TR_FRICTION].law->step) at += N_SPRING;
     if (slot > TR_ROLLING && rolling->step) at += N_SPRING + more_of_rolling(rolling);
     return at;
 }
@@ -111,7 +111,7 @@ TR_VECTOR static void find_spin(const tr_tile *restrict tile, double share_of_1,
 
 /* Opposite moments turn 2 against 1, others each its own body. */
 static void account_rolling(tr_group *g, const tr_tile *tile, const double *energy, const double *bound, double *lost) {
-    const tr_law *law = g->slot[TR_ROLLING].law;
+    const tr_law *law = g->laws[TR_ROLLING].law;
     double **h = g->hist + block(g, TR_ROLLING), **more = h + N_SPRING, dt = tile->dt;
     bool force = law->needs & TR_GIVES_F_R, opposite = law->claims & TR_BALANCED;
     int n = tile->n, first = tile->first;
@@ -134,7 +134,7 @@ static void step(tr_tile *restrict tile, const tr_law_data *restrict data) {
     const tr_sink *sink = data->par;
     tr_group *g = sink->group;
     tr_ledger *ledger = sink->ledger;
-    const tr_slot *friction = &g->slot[TR_FRICTION], *rolling = &g->slot[TR_ROLLING];
+    const tr_group_law *friction = &g->laws[TR_FRICTION], *rolling = &g->laws[TR_ROLLING];
     double **h = g->hist + block(g, TR_NORMAL);
     int n = tile->n, first = tile->first;
     tr_lane energy, bound, lost;
@@ -157,7 +157,7 @@ static void step(tr_tile *restrict tile, const tr_law_data *restrict data) {
 
 void tr_ledger_attach(tr_group *group, tr_ledger *ledger) {
     group->ledger_sink.ledger = ledger;
-    tr_group_attach(group, &group->ledger_sink, "ledger", step, block(group, TR_N_SLOTS) - group->ledger_sink.hist);
+    tr_group_attach(group, &group->ledger_sink, "ledger", step, block(group, TR_N_LAW_KINDS) - group->ledger_sink.hist);
 }
 
 static void remember_walls(tr_world *world) {
@@ -192,7 +192,7 @@ void tr_ledger_walls(tr_world *world) {
 
 /* Energy in the contacts of a group: of the normal law from the overlaps, of the others in the spring of a slot. */
 static double in_overlaps(const tr_group *g) {
-    const tr_slot *normal = &g->slot[TR_NORMAL];
+    const tr_group_law *normal = &g->laws[TR_NORMAL];
     const double *delta = g->hist[block(g, TR_NORMAL) + DELTA];
     double energy = 0;
     for (int i = 0; i < g->n; i++)
@@ -202,7 +202,7 @@ static double in_overlaps(const tr_group *g) {
 
 static double in_springs(const tr_group *g, int slot) {
     double energy = 0;
-    if (!g->slot[slot].law->step) return 0;
+    if (!g->laws[slot].law->step) return 0;
     for (int i = 0; i < g->n; i++) energy += g->hist[block(g, slot) + STORED][i];
     return energy;
 }

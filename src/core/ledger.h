@@ -46,7 +46,7 @@
 #define TR_ENERGY_FIELD(name) double name;
 typedef struct tr_energy {
     TR_ENERGIES(TR_ENERGY_FIELD)
-    double made[TR_N_SLOTS]; /* by the normal, friction, rolling law since then, >= 0 [N] */
+    double made[TR_N_LAW_KINDS]; /* by the normal, friction, rolling law since then, >= 0 [N] */
 } tr_energy;
 
 void tr_ledger_attach(tr_group *group, tr_ledger *ledger);

@@ -59,12 +59,12 @@ typedef struct renewal {
     tr_group *g;
     int threads;
     double *from, *to;
-    const tr_slot *slot;
+    const tr_group_law *slot;
     const int *z;
 } renewal;
 
 static int first_of(const renewal *r, int k) {
-    return tr_threads_share(r->g->n, k, r->threads);
+    return tr_threads_chunk(r->g->n, k, r->threads);
 }
 
 static bool before(const tr_group *g, int old, int a, int b) {
@@ -165,9 +165,9 @@ static void count_listed(const tr_world *world, int *z) {
 
 void tr_list_constants(tr_world *world, int *z) {
     for (int k = 0; k < world->n_groups; k++)
-        for (int s = 0; s < TR_N_SLOTS; s++) {
+        for (int s = 0; s < TR_N_LAW_KINDS; s++) {
             tr_group *g = &world->group[k];
-            const tr_slot *slot = &g->slot[s];
+            const tr_group_law *slot = &g->laws[s];
             if (!slot->law->n_pair || !g->n) continue;
             if (slot->law->needs & TR_NEEDS_Z) count_listed(world, z);
             renewal r = {.world = world, .g = g, .threads = tr_world_threads(world), .slot = slot, .z = z};

@@ -18,13 +18,13 @@ static int lane_of(const tr_group *g, const tr_tile *tile, int a, int b) {
 enum { LIFE, SLIDE, ROLL, FORCE, FRICTION, WHOLE, X, Y, N_HIST };
 
 static double P_of(const tr_group *g, const tr_tile *tile, int i) {
-    bool elastic = g->slot[TR_FRICTION].law->needs & TR_ELASTIC_P && tile->f_n[i] > 0;
+    bool elastic = g->laws[TR_FRICTION].law->needs & TR_ELASTIC_P && tile->f_n[i] > 0;
     return elastic ? tile->f_elastic[i] : tile->f_n[i];
 }
 
 static void step_all(tr_tile *tile, const tr_sink *sink) {
     double *h[N_HIST];
-    bool rubs = sink->group->slot[TR_FRICTION].law->step; /* else the lane may hold the other group's */
+    bool rubs = sink->group->laws[TR_FRICTION].law->step; /* else the lane may hold the other group's */
     for (int k = 0; k < N_HIST; k++) h[k] = sink->group->hist[sink->hist + k] + tile->first;
     for (int i = 0; i < tile->n; i++) {
         double length = tile->R1[i] + tile->R2[i] - tile->delta[i];
@@ -66,8 +66,8 @@ static void step(tr_tile *tile, const tr_law_data *data) {
     const tr_group *g = sink->group;
     tr_paths *paths = sink->paths;
     if (paths->all) step_all(tile, sink);
-    for (int k = 0; k < paths->picks.n; k++) {
-        tr_scene_pick pick = paths->picks.item[k];
+    for (int k = 0; k < paths->contacts.n; k++) {
+        tr_contact_id pick = paths->contacts.item[k];
         if ((pick.a < 0) != g->walls) continue;
         int i = lane_of(g, tile, g->walls ? -1 - pick.a : pick.a, pick.b);
         if (i < 0 || !(tile->delta[i] > 0)) continue;
@@ -75,7 +75,7 @@ static void step(tr_tile *tile, const tr_law_data *data) {
         p->u_slide += tile->v_s[i] * tile->dt;
         p->u_roll -= 0.5 * (tile->s1[i] + tile->s2[i]) * tile->dt;
         p->P = P_of(g, tile, i);
-        p->Q = g->slot[TR_FRICTION].law->step ? tile->f_t[i] : 0; /* else the lane may hold the other group's */
+        p->Q = g->laws[TR_FRICTION].law->step ? tile->f_t[i] : 0; /* else the lane may hold the other group's */
     }
 }
 

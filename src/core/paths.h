@@ -19,8 +19,8 @@ typedef struct tr_path_point {
 } tr_path_point;
 
 struct tr_paths {
-    tr_scene_picks picks; /* none of them most-mobilised */
-    tr_path_point now[TR_MAX_PICKS];
+    tr_contact_ids contacts; /* none of them most-mobilised */
+    tr_path_point now[TR_MAX_CONTACT_IDS];
     bool all;
     int64_t lives, taken; /* of all: begun so far; of them read at least once */
 };
@@ -33,7 +33,7 @@ typedef struct tr_path_life {
     double x, y;                   /* branch: from the centre of a, from the foot at a wall, to the centre of b [m] */
 } tr_path_life;
 
-/* Follows paths->picks, and all if it is set; *paths must outlive the world's laws. Call it after the laws are set. */
+/* Follows paths->contacts, and all if it is set; *paths must outlive the world's laws. Call it after the laws are set. */
 void tr_paths_attach(tr_world *world, tr_paths *paths);
 
 /* After every tr_step_forces: the state of contact k. */

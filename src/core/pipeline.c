@@ -5,7 +5,7 @@
 #include "core/arcs.h"
 #include "core/contacts.h"
 #include "core/ledger.h"
-#include "core/shares_memory.h"
+#include "core/parallel_memory.h"
 #include "laws/kinematics.h"
 #include "laws/rolling_conjugate_spring.h"
 #include <assert.h>
@@ -18,14 +18,14 @@
 static const double WIDE_SKIN = 0.30, THIN_SKIN = 0.025;
 
 static void group_take(tr_group *g, int which, const tr_law *law, const tr_scene_law *chosen) {
-    tr_slot *slot = &g->slot[which];
+    tr_group_law *slot = &g->laws[which];
     slot->law = law;
     if (chosen) memcpy(slot->par, chosen->par, sizeof slot->par);
     slot->hist = g->n_hist, g->n_hist += law->n_hist;
     slot->pair = g->n_pair, g->n_pair += law->n_pair;
 }
 
-static void group_add_pass(tr_group *g, const char *name, tr_pass_run *run, const tr_slot *slot) {
+static void group_add_pass(tr_group *g, const char *name, tr_pass_run *run, const tr_group_law *slot) {
     assert(g->n_pass < TR_MAX_PASSES);
     tr_pass *pass = &g->pass[g->n_pass++];
     *pass = (tr_pass){.name = name, .run = run};
@@ -47,15 +47,15 @@ static void group_choose(tr_group *g, const tr_scene_contact *contact, bool norm
                &contact->friction);
     group_take(g, TR_ROLLING, normal_only ? &tr_rolling_none : tr_laws_rolling[contact->rolling.law],
                &contact->rolling);
-    const tr_law *friction = g->slot[TR_FRICTION].law, *rolling = g->slot[TR_ROLLING].law;
+    const tr_law *friction = g->laws[TR_FRICTION].law, *rolling = g->laws[TR_ROLLING].law;
     g->spins = friction->step || rolling->step;
 
     group_add_pass(g, "kinematics", kinematics_of(g, &tr_arms_rows[contact->arms]), NULL);
-    group_add_pass(g, "normal", g->slot[TR_NORMAL].law->step, &g->slot[TR_NORMAL]);
-    if (friction->step) group_add_pass(g, "friction", friction->step, &g->slot[TR_FRICTION]);
+    group_add_pass(g, "normal", g->laws[TR_NORMAL].law->step, &g->laws[TR_NORMAL]);
+    if (friction->step) group_add_pass(g, "friction", friction->step, &g->laws[TR_FRICTION]);
     tr_pass_run *velocity = tr_law_rolling_velocity(rolling, g->rolling_velocity);
     if (velocity) group_add_pass(g, "rolling velocity", velocity, NULL);
-    if (rolling->step) group_add_pass(g, "rolling", rolling->step, &g->slot[TR_ROLLING]);
+    if (rolling->step) group_add_pass(g, "rolling", rolling->step, &g->laws[TR_ROLLING]);
     g->shared_arms = contact->arms == 0;
     tr_pass_run *pulls = g->shared_arms ? tr_resultant_rolling_force : tr_resultant_rolling_apart;
     tr_pass_run *torques = rolling->needs & TR_GIVES_F_R ? pulls : tr_resultant_full;
@@ -107,7 +107,7 @@ bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool sm
     world->arms = contact->arms;
     world->stale = world->fresh = true;
     world->sure_dt = 0;
-    tr_shares_free(world->shares), world->shares = NULL; /* lanes again */
+    tr_parallel_free(world->parallel), world->parallel = NULL; /* lanes again */
     world->near.n = 0;
     memset(world->tile, 0, sizeof *world->tile); /* lanes that no pass of the new pipeline writes are 0 */
     free(world->ledger);
@@ -134,19 +134,19 @@ static bool is_before(int a, int b, int other_a, int other_b) {
 
 /* Both lists are sorted by their ids. */
 static void carry(tr_group *to, const tr_group *from, int slot) {
-    int first = to->slot[slot].hist, old_first = from->slot[slot].hist, old = 0;
+    int first = to->laws[slot].hist, old_first = from->laws[slot].hist, old = 0;
     for (int i = 0; i < to->n; i++) {
         while (old < from->n && is_before(from->a[old], from->b[old], to->a[i], to->b[i])) old++;
         if (old == from->n) return;
         if (from->a[old] != to->a[i] || from->b[old] != to->b[i]) continue;
-        for (int h = 0; h < to->slot[slot].law->n_hist; h++) to->hist[first + h][i] = from->hist[old_first + h][old];
+        for (int h = 0; h < to->laws[slot].law->n_hist; h++) to->hist[first + h][i] = from->hist[old_first + h][old];
     }
 }
 
 /* Has it a history that the law of before kept too? */
 static bool carries(const tr_group *now, const tr_group *before, int slot) {
-    const tr_law *law = now->slot[slot].law;
-    return before->n && law->n_hist && law == before->slot[slot].law;
+    const tr_law *law = now->laws[slot].law;
+    return before->n && law->n_hist && law == before->laws[slot].law;
 }
 
 bool tr_world_change_laws(tr_world *world, const tr_scene_contact *contact, bool smooth_walls, unsigned sinks,

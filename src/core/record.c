@@ -16,7 +16,7 @@ typedef struct collector {
 } collector;
 
 /* bound: unchanged without a law. */
-static void bounds(const tr_group *g, const tr_slot *slot, const tr_tile *tile, tr_lane bound) {
+static void bounds(const tr_group *g, const tr_group_law *slot, const tr_tile *tile, tr_lane bound) {
     tr_lane energy;
     tr_law_data data = tr_group_data(g, slot);
     if (slot->law->step) slot->law->state(tile, &data, energy, bound);
@@ -33,8 +33,8 @@ static void collect(void *context, tr_group *g, tr_tile *tile) {
     }
     assert(tr_n_rolling_velocities <= TR_MAX_VELOCITY_MEASURES && tr_n_sliding_velocities <= TR_MAX_VELOCITY_MEASURES);
     tr_record *out = *c->records + c->n;
-    bounds(g, &g->slot[TR_FRICTION], tile, friction_bound);
-    bounds(g, &g->slot[TR_ROLLING], tile, rolling_bound);
+    bounds(g, &g->laws[TR_FRICTION], tile, friction_bound);
+    bounds(g, &g->laws[TR_ROLLING], tile, rolling_bound);
     int kept[TR_TILE], n = 0;
     for (int i = 0; i < tile->n; i++)
         if (tile->delta[i] > 0) kept[n++] = i;
@@ -53,7 +53,7 @@ static void collect(void *context, tr_group *g, tr_tile *tile) {
             .delta = tile->delta[i],
             .f_n = tile->f_n[i],
             .f_t = tile->f_t[i],
-            .f_r = g->slot[TR_ROLLING].law->needs & TR_GIVES_F_R ? tile->f_r[i] + 0.0 : 0,
+            .f_r = g->laws[TR_ROLLING].law->needs & TR_GIVES_F_R ? tile->f_r[i] + 0.0 : 0,
             .m1 = tile->m1[i],
             .m2 = tile->m2[i],
             .v_n = tile->v_n[i],

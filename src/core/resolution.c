@@ -113,7 +113,7 @@ static bool loads(const run *r, const pair *p, double *weight, double *energy) {
 
 /* Whether the pair reaches this overlap. */
 static bool gets_to(const tr_bodies *b, const pair *p, double overlap, double weight, double energy) {
-    const tr_slot *normal = &tr_world_group(&b->world, p->a)->slot[TR_NORMAL];
+    const tr_group_law *normal = &tr_world_group(&b->world, p->a)->laws[TR_NORMAL];
     if (p->gap <= -overlap) return true;
     if (overlap > TR_LARGEST_OVERLAP * smaller(p)) return false;
     if (p->gap > -4 * spacing(p->reach) && weight == 0 && energy == 0) /* 0, to rounding */
@@ -153,8 +153,8 @@ bool tr_resolution_overlap(const tr_bodies *b, tr_resolution *worst) {
 }
 
 /* x + v dt, rounded, is off by half a spacing at most. */
-static void look_at_way(const tr_bodies *b, int body, const double reach[2], const double v[2], int *n,
-                        tr_resolution *worst) {
+static void check_way(const tr_bodies *b, int body, const double reach[2], const double v[2], int *n,
+                      tr_resolution *worst) {
     double far = fmax(reach[0], reach[1]), way = tr_hypot(v[0], v[1]) * b->world.dt;
     if (way == 0 || 0.5 * spacing(far) <= TR_RESOLVED * way) return;
     tr_resolution r = {body, body, far, spacing(far), way, 0};
@@ -170,19 +170,19 @@ bool tr_resolution_way(const tr_bodies *b, tr_resolution *worst) {
         if (b->scene->disks[i].motion == TR_ORBIT) continue; /* its place follows from the time */
         disk_reach(&r, i, reach);
         tr_bodies_velocity(w, i, v);
-        look_at_way(b, i, reach, v, &n, worst);
+        check_way(b, i, reach, v, &n, worst);
     }
     for (int k = 0; k < w->n_walls; k++) {
         const double of_wall[2] = {w->wall[k].vx, w->wall[k].vy};
         wall_reach(&r, k, reach);
-        look_at_way(b, -1 - k, reach, of_wall, &n, worst);
+        check_way(b, -1 - k, reach, of_wall, &n, worst);
     }
     if (n) worst->more = n - 1;
     return n > 0;
 }
 
 bool tr_resolution_biaxial(const tr_biaxial *b, tr_resolution *found) {
-    const tr_slot *normal = &b->world.group[0].slot[TR_NORMAL];
+    const tr_group_law *normal = &b->world.group[0].laws[TR_NORMAL];
     double R = b->mean_radius, P = 2 * R * fmin(b->scene->compaction.pressure, b->scene->shear.lateral_pressure);
     double side = fmax(b->world.wall[TR_TOP_WALL].y, b->world.cell.side[1]);
     *found =
@@ -193,7 +193,7 @@ bool tr_resolution_biaxial(const tr_biaxial *b, tr_resolution *found) {
 double tr_resolution_force(const tr_bodies *b, int a, int disk) {
     const run r = run_of(b, false);
     const pair p = pair_of(&r, a, disk);
-    const tr_slot *normal = &tr_world_group(&b->world, a)->slot[TR_NORMAL];
+    const tr_group_law *normal = &tr_world_group(&b->world, a)->laws[TR_NORMAL];
     double weight, energy;
     bool meet = loads(&r, &p, &weight, &energy), known = p.gap < -4 * spacing(p.reach) || weight > 0 || energy > 0;
     if (!meet || !known) return 0;

@@ -18,7 +18,7 @@
 #define TR_RESOLVED 1e-6 /* of an overlap or of the way of a step: allowed rounding */
 
 typedef struct tr_resolution {
-    int a, b;       /* as in tr_scene_pick: two disks, or wall -1-a and disk b */
+    int a, b;       /* as in tr_contact_id: two disks, or wall -1-a and disk b */
     double reach;   /* the largest coordinate [m] */
     double spacing; /* of doubles there [m] */
     double size;    /* of the overlap, or of the way of a step [m] */

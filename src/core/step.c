@@ -4,7 +4,7 @@
 #include "base/vector.h"
 #include "core/cell.h"
 #include "core/contacts.h"
-#include "core/shares.h"
+#include "core/parallel_forces.h"
 #include "core/stretch.h"
 #include "core/tile.h"
 #include "base/math.h"
@@ -22,8 +22,8 @@ static void run_passes(tr_world *world, tr_group *g, int first, double dt) {
 void tr_step_walk(tr_world *world, tr_group *g, double dt, void (*done)(void *, tr_group *, tr_tile *), void *context) {
     /* Lanes that this pipeline does not write may have values of the other group. */
     tr_tile *tile = world->tile;
-    if (!g->slot[TR_FRICTION].law->step) memset(tile->f_t, 0, sizeof tile->f_t);
-    if (!g->slot[TR_ROLLING].law->step) memset(tile->m1, 0, sizeof tile->m1), memset(tile->m2, 0, sizeof tile->m2);
+    if (!g->laws[TR_FRICTION].law->step) memset(tile->f_t, 0, sizeof tile->f_t);
+    if (!g->laws[TR_ROLLING].law->step) memset(tile->m1, 0, sizeof tile->m1), memset(tile->m2, 0, sizeof tile->m2);
     for (int first = 0; first < g->n; first += TR_TILE) {
         run_passes(world, g, first, dt);
         done(context, g, tile);
@@ -47,7 +47,7 @@ bool tr_step_forces(tr_world *world, tr_status *st) {
     if (!world->spent || world->disks.load) tr_tile_begin(&world->disks);
     world->spent = false;
     if (tr_world_threads(world) > 1 && !world->group[0].in_order) {
-        if (!tr_shares_forces(world, dt, st)) return false;
+        if (!tr_parallel_forces(world, dt, st)) return false;
     } else {
         group_forces(world, &world->group[0], dt);
     }
@@ -111,8 +111,8 @@ static void advance_disks(void *context, int k) {
     enum { BLOCK = 256 };
     const motion *m = context;
     const tr_disks *d = &m->world->disks;
-    int high = tr_threads_share(d->n, k + 1, m->threads), moved = 0;
-    for (int first = tr_threads_share(d->n, k, m->threads); first < high; first += BLOCK) {
+    int high = tr_threads_chunk(d->n, k + 1, m->threads), moved = 0;
+    for (int first = tr_threads_chunk(d->n, k, m->threads); first < high; first += BLOCK) {
         int n = high - first < BLOCK ? high - first : BLOCK;
         size_t at = 4 * (size_t)first;
         kick_and_drift(4 * n, m->world->dt, d->pos + at, d->vel + at, d->force + at, d->inv + at);

@@ -82,7 +82,7 @@ static void motion_of(const tr_bodies *b, const pair *p, double *across, double 
 /* The advice: the disk to move along the normal, and its place. */
 static tr_tangent describe(const tr_bodies *b, const pair *p, double weight) {
     const tr_world *w = &b->world;
-    const tr_slot *normal = &tr_world_group(w, p->a)->slot[TR_NORMAL];
+    const tr_group_law *normal = &tr_world_group(w, p->a)->laws[TR_NORMAL];
     tr_tangent t = {.a = p->a, .b = p->b, .gap = p->gap, .weight = weight > 0, .force = weight};
     t.overlap = TR_TINY_OVERLAP * smaller(p);
     if (t.weight)
@@ -105,7 +105,7 @@ static bool is_tangent(const tr_bodies *b, const pair *p, double *weight) {
     if (fabs(along) > SMALL * fabs(across)) return false; /* they meet, or part */
     *weight = weight_on(b, p);
     if (*weight > 0) {
-        const tr_slot *normal = &tr_world_group(w, p->a)->slot[TR_NORMAL];
+        const tr_group_law *normal = &tr_world_group(w, p->a)->laws[TR_NORMAL];
         double needs = normal->law->overlap(normal->par, p->R1, p->R2, *weight);
         return p->gap > -LITTLE * needs &&
                p->gap < fmax(needs, ROUNDED * R); /* a fall from at most this height is not intended */

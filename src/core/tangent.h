@@ -11,7 +11,7 @@
 #include "core/bodies.h"
 
 typedef struct tr_tangent {
-    int a, b;       /* as in tr_scene_pick: two disks, or wall -1-a and disk b */
+    int a, b;       /* as in tr_contact_id: two disks, or wall -1-a and disk b */
     double gap;     /* [m]; below 0: an overlap of rounding */
     double overlap; /* the overlap for the weight or, without a weight, TR_TINY_OVERLAP of the smaller radius [m] */
     double force;   /* that the law gives there [N/m] */

@@ -62,7 +62,8 @@ static double tangential_limit(const tr_pair_bodies *bodies, share one, share tw
 
 /* bodies.delta: the overlap to expect. */
 static double contact_limit(const tr_group *g, tr_pair_bodies bodies, share one, share two) {
-    const tr_slot *spring = &g->slot[TR_NORMAL], *friction = &g->slot[TR_FRICTION], *rolling = &g->slot[TR_ROLLING];
+    const tr_group_law *spring = &g->laws[TR_NORMAL], *friction = &g->laws[TR_FRICTION],
+                       *rolling = &g->laws[TR_ROLLING];
     tr_elastic there = spring->law->elastic(spring->par, bodies.R1, bodies.R2, bodies.delta);
     bodies.f_n = there.force, bodies.k_n = there.stiffness;
     tr_stiffness f = {0}, r = {0}, n = spring->law->stiffness(spring->par, &bodies);

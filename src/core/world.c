@@ -3,7 +3,7 @@
 
 #include "base/alloc.h"
 #include "broad/choose.h"
-#include "core/shares_memory.h"
+#include "core/parallel_memory.h"
 #include "base/math.h"
 #include <assert.h>
 #include <math.h>
@@ -38,7 +38,7 @@ void tr_world_free(tr_world *world) {
     free(d->pos), free(d->vel), free(d->force), free(d->inv), free(d->load), free(d->mass), free(d->inertia), free(d->outer);
     free(d->coordination);
     free(world->wide_ref), free(world->thin_ref), free(world->ledger), free(world->tile), free(world->picked);
-    tr_shares_free(world->shares), tr_threads_free(world->threads);
+    tr_parallel_free(world->parallel), tr_threads_free(world->threads);
     for (int k = 0; k < world->n_groups && world->group; k++) tr_group_free(&world->group[k]);
     free(world->group), free(world->wall_laws);
     if (world->finder) world->broad->destroy(world->finder);
@@ -107,8 +107,8 @@ tr_pair_bodies tr_world_pair(const tr_world *world, const tr_group *group, int a
     return bodies;
 }
 
-tr_law_data tr_group_data(const tr_group *group, const tr_slot *slot) {
-    const tr_slot *normal = &group->slot[TR_NORMAL];
+tr_law_data tr_group_data(const tr_group *group, const tr_group_law *slot) {
+    const tr_group_law *normal = &group->laws[TR_NORMAL];
     return (tr_law_data){.par = slot->par,
                          .hist = group->hist + slot->hist,
                          .pair = group->pair + slot->pair,
@@ -138,7 +138,7 @@ size_t tr_world_bytes(const tr_world *world) {
         const tr_group *g = &world->group[k];
         bytes += (size_t)g->capacity * (5 * sizeof(int) + (size_t)(1 + g->n_hist + g->n_pair) * sizeof(double));
     }
-    bytes += tr_shares_bytes(world->shares, world->disks.n);
+    bytes += tr_parallel_bytes(world->parallel, world->disks.n);
     return bytes + ((size_t)world->near.capacity * 2 + (size_t)world->picks) * sizeof(int);
 }
 

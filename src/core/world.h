@@ -19,7 +19,7 @@
  *
  * PERIODIC CELL. In a cell, disk b of a pair means its nearest image; see cell.h.
  *
- * THREADS share the tiles of a large sample, and no bit depends on their number; see shares.h.
+ * THREADS share the tiles of a large sample, and no bit depends on their number; see parallel_forces.h.
  *
  * Two worlds may run side by side: there are no globals. A step allocates nothing, except when a refresh finds more
  * contacts than ever before.
@@ -91,16 +91,16 @@ typedef struct tr_extent {
 } tr_extent;
 
 /* A law of a group: its row, its parameters, and the start of its arrays in the group. law->step == NULL: no work. */
-typedef struct tr_slot {
+typedef struct tr_group_law {
     const tr_law *law;
     double par[TR_LAW_PAR];
     int hist, pair;
-} tr_slot;
+} tr_group_law;
 
 typedef struct tr_group tr_group;
 typedef struct tr_ledger tr_ledger;
 typedef struct tr_paths tr_paths;
-typedef struct tr_shares tr_shares;
+typedef struct tr_parallel tr_parallel;
 
 /* A sink reads finished tiles, and may have its own histories, which follow the ids. */
 typedef struct tr_sink {
@@ -134,7 +134,7 @@ struct tr_group {
     double *hist[TR_GROUP_HIST];
     double
         *pair[TR_GROUP_PAIR]; /* R1, R2, g1; of disks in a cell the image of b along x and y; then those of the laws */
-    tr_slot slot[TR_N_SLOTS];
+    tr_group_law laws[TR_N_LAW_KINDS];
     tr_sink ledger_sink, arcs_sink, paths_sink; /* group == NULL: not attached */
     const tr_sink *increments_sink;             /* NULL: not attached */
     tr_pass pass[TR_MAX_PASSES];
@@ -148,7 +148,7 @@ struct tr_group {
 /* Energy by mechanism; see ledger.h. */
 struct tr_ledger {
     double damped, friction, rolling; /* dissipated [N] (J per metre of length) */
-    double made[TR_N_SLOTS];          /* by the normal, the friction and the rolling law [N] */
+    double made[TR_N_LAW_KINDS];          /* by the normal, the friction and the rolling law [N] */
     double work;                      /* done by the walls or the cell on the disks [N] */
     double start;                     /* energy of the disks and contacts when the ledger began [N] */
     double wall_fx[TR_MAX_WALLS], wall_fy[TR_MAX_WALLS], cell_force[2]; /* of the step before */
@@ -185,7 +185,7 @@ typedef struct tr_world {
     tr_ledger *ledger;     /* NULL: not kept */
     tr_tile *tile;         /* one, reused; allocated apart because its lanes are aligned */
     tr_threads *threads;   /* threads for the work; NULL: one. See base/threads.h */
-    tr_shares *shares;     /* data of their shares; NULL: not used yet. See shares.h */
+    tr_parallel *parallel;     /* data of their shares; NULL: not used yet. See parallel_forces.h */
     /* pair finding */
     const tr_broad_finder *broad;
     void *finder;
@@ -260,7 +260,7 @@ static inline double tr_world_smaller(double R1, double R2) {
 tr_pair_bodies tr_world_pair(const tr_world *world, const tr_group *group, int a, int b);
 
 /* The data that the law of a slot gets. */
-tr_law_data tr_group_data(const tr_group *group, const tr_slot *slot);
+tr_law_data tr_group_data(const tr_group *group, const tr_group_law *slot);
 
 /* The world gets n threads (0: one) for its steps, and keeps them until it is freed or gets others. A new world has one
  * thread. Up to alone_to disks it uses only one; tr_world_init sets this to TR_FEW_DISKS. TR_FILE: the system has no

@@ -5,7 +5,7 @@
 #include "draw/canvas.h"
 
 #include "base/alloc.h"
-#include "base/part.h"
+#include "base/temporary.h"
 #include "base/vector.h"
 #include "draw/font.h"
 #include "draw/pen.h"
@@ -155,11 +155,11 @@ static int write_file(const tr_canvas *canvas, const char *path) {
 }
 
 bool tr_canvas_write(const tr_canvas *canvas, const char *path, tr_status *st) {
-    char *part = tr_part_name(path, st);
+    char *part = tr_temporary_name(path, st);
     if (!part) return false;
     int error = write_file(canvas, part);
     bool ok = error ? tr_status_fail(st, TR_FILE, "error: cannot write %s: %s", path, strerror(error))
-                    : tr_part_keep(part, path, st);
+                    : tr_temporary_rename(part, path, st);
     free(part);
     return ok;
 }

@@ -76,7 +76,7 @@ typedef struct tr_show_lane {
     const tr_scene_disk *disk; /* what the case says of the disks of world, for threads; NULL: nothing */
     const tr_record *record;   /* touching contacts */
     int n_records;
-    tr_scene_pick contact; /* the one that the panel shows; a = b: the first ones */
+    tr_contact_id contact; /* the one that the panel shows; a = b: the first ones */
     double tilt;  /* the picture is turned by it, counter-clockwise, so that gravity points down [rad] */
     double slope; /* shown as the angle of the floor; NaN: there is none, or it is level [rad] */
     double x0, y0, x1,

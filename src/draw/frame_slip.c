@@ -66,7 +66,7 @@ void tr_frame_slip(cairo_t *cr, const tr_view *view, const tr_map *map, double m
 
 const char *tr_frame_slip_limit(cairo_t *cr, const tr_view *view) {
     static const tr_word_key limit[] = {TR_WORD_slip_whole, TR_WORD_slip_cattaneo, TR_WORD_slip_carter};
-    const tr_law *law = view->world->group[0].slot[TR_FRICTION].law;
+    const tr_law *law = view->world->group[0].laws[TR_FRICTION].law;
     bool sphere = view->world->shape == TR_SHAPE_SPHERE; /* Carter's contact is a line */
     if (!law || !law->step) return "";
     return tr_say(cr, sphere && law->slip == TR_SLIPS_TRAILING ? TR_WORD_slip_steady : limit[law->slip]);

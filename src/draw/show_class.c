@@ -5,7 +5,7 @@
 #include "draw/show_bar.h"
 #include "draw/show_lamp.h"
 #include "draw/say.h"
-#include "scene/pick.h"
+#include "scene/contact_name.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -13,9 +13,9 @@
 static const double bar_h = 34, lamp_h = 48, slid_h = 36, line_h = 32;
 
 static void draw_none(cairo_t *cr, tr_box box, const tr_show_lane *lane) {
-    char text[64 + TR_PICK_NAME];
+    char text[64 + TR_CONTACT_NAME];
     int used = snprintf(text, 64, "%s ", TR_SAY(cr, no_contact));
-    if (lane->contact.a != lane->contact.b) tr_scene_pick_name(lane->contact, text + used);
+    if (lane->contact.a != lane->contact.b) tr_contact_name_write(lane->contact, text + used);
     tr_pen_text(cr, (tr_text){.x = box.x, .y = box.y + 32, .size = 28, .hue = TR_FAINT, .room = box.w}, text);
 }
 

@@ -60,7 +60,7 @@ static void draw_wall(const tr_stage *s, const tr_wall *wall) {
 
 /* Where walls have laws of their own, the friction of each, below the middle of what is seen of it and the names of arcs. */
 static void name_wall(const tr_stage *s, int i) {
-    const tr_slot *friction = &tr_world_group(s->lane->world, -1 - i)->slot[TR_FRICTION];
+    const tr_group_law *friction = &tr_world_group(s->lane->world, -1 - i)->laws[TR_FRICTION];
     const double *mu = friction->law->step ? tr_law_value(friction->law, friction->par, "mu") : NULL;
     tr_stretch w;
     char text[32];

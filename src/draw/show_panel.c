@@ -7,7 +7,7 @@
 #include "draw/show_bar.h"
 #include "draw/say.h"
 #include "laws/kinematics.h"
-#include "scene/pick.h"
+#include "scene/contact_name.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -147,9 +147,9 @@ bool tr_panel_bars(cairo_t *cr, tr_box box, const tr_show_lane *lane, double ran
     rows.record = tr_show_records(lane, &n_records);
     rows.shown = n_records < TR_SHOW_CONTACTS ? n_records : TR_SHOW_CONTACTS;
     if (rows.shown == 0) {
-        char text[64 + TR_PICK_NAME];
+        char text[64 + TR_CONTACT_NAME];
         int used = snprintf(text, 64, "%s ", TR_SAY(cr, no_contact));
-        if (chosen) tr_scene_pick_name(lane->contact, text + used);
+        if (chosen) tr_contact_name_write(lane->contact, text + used);
         tr_pen_text(cr, (tr_text){.x = box.x, .y = box.y + 32, .size = 28, .hue = TR_FAINT}, text);
         return true;
     }

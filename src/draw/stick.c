@@ -5,7 +5,7 @@
 #include <math.h>
 
 void tr_frame_stick(const tr_world *world, const tr_record *r, double stick[2]) {
-    const tr_slot *slot = &tr_world_group(world, r->a)->slot[TR_FRICTION];
+    const tr_group_law *slot = &tr_world_group(world, r->a)->laws[TR_FRICTION];
     const tr_law *law = slot->law;
     stick[0] = stick[1] = 0;
     const double *mu = law ? tr_law_value(law, slot->par, "mu") : NULL;

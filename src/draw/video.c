@@ -7,7 +7,7 @@
 #include "draw/video.h"
 
 #include "base/alloc.h"
-#include "base/part.h"
+#include "base/temporary.h"
 #include "base/program.h"
 #include "draw/canvas.h"
 #include <errno.h>
@@ -88,7 +88,7 @@ tr_video *tr_video_open(const char *path, int frames_per_second, tr_status *st) 
     int end[2] = {-1, -1};
     v->log = memfd_create("ffmpeg", MFD_CLOEXEC);
     v->input = -1;
-    v->part = tr_part_name(path, st);
+    v->part = tr_temporary_name(path, st);
     v->path = tr_alloc(strlen(path) + 1, 1, st);
     bool ok = v->part && v->path;
     if (ok) strcpy(v->path, path);
@@ -146,7 +146,7 @@ bool tr_video_close(tr_video *v, bool keep, tr_status *st) {
     bool ended = succeeds(v->pid, v->log, said, sizeof said) && !v->broken && v->frames > 0;
     bool ok = true;
     if (ended && keep) {
-        ok = tr_part_keep(v->part, v->path, st);
+        ok = tr_temporary_rename(v->part, v->path, st);
     } else {
         remove(v->part);
         if (!ended) {
@@ -183,11 +183,11 @@ static bool run_gif(const char *film, const char *part, int log, int frames_per_
 
 bool tr_video_gif(const char *film, const char *path, int frames_per_second, tr_status *st) {
     char said[512] = "";
-    char *part = tr_part_name(path, st);
+    char *part = tr_temporary_name(path, st);
     int log = memfd_create("ffmpeg", MFD_CLOEXEC);
     bool ok = part && log >= 0 && run_gif(film, part, log, frames_per_second, said, sizeof said, st);
     if (ok) {
-        ok = tr_part_keep(part, path, st);
+        ok = tr_temporary_rename(part, path, st);
     } else {
         if (part) remove(part);
         tr_status_fail(st, TR_FILE, "error: cannot write %s: %s", path, *said ? said : "ffmpeg failed");

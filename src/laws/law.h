@@ -205,7 +205,7 @@ static inline unsigned tr_law_claims(const tr_law *law) {
     return law->claims | (by_rate ? 0 : TR_RATE_INDEPENDENT);
 }
 
-enum { TR_NORMAL, TR_FRICTION, TR_ROLLING, TR_N_SLOTS };
+enum { TR_NORMAL, TR_FRICTION, TR_ROLLING, TR_N_LAW_KINDS };
 
 /* The registry. Index = tr_scene_law.law. */
 extern const tr_law *const tr_laws_normal[], *const tr_laws_friction[], *const tr_laws_rolling[];

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "out/dir.h"
 
-#include "base/part.h"
+#include "base/temporary.h"
 #include "base/regular.h"
-#include "out/made.h"
+#include "out/manifest.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
@@ -85,12 +85,12 @@ static bool unshare(const char *part, tr_status *st) {
     return ok;
 }
 
-static bool open_part(tr_file *file, const char *path, const char *mode, tr_status *st) {
+static bool open_temporary(tr_file *file, const char *path, const char *mode, tr_status *st) {
     *file = (tr_file){0};
     if (strlen(path) >= sizeof file->path)
         return tr_status_fail(st, TR_FILE, "error: path too long: %.200s...", path);
     strcpy(file->path, path);
-    if (!(file->part = tr_part_name(file->path, st))) return false;
+    if (!(file->part = tr_temporary_name(file->path, st))) return false;
     if (*mode == 'a' && access(file->part, F_OK)) rename(file->path, file->part);
     if (*mode != 'a' || unshare(file->part, st)) file->stream = fopen(file->part, mode);
     if (file->stream) return true;
@@ -103,19 +103,19 @@ static bool open_part(tr_file *file, const char *path, const char *mode, tr_stat
 }
 
 bool tr_file_open_path(tr_file *file, const char *path, tr_status *st) {
-    return open_part(file, path, "wx", st); /* a file with the name of the part is the user's */
+    return open_temporary(file, path, "wx", st); /* a file with the name of the part is the user's */
 }
 
 bool tr_file_open(tr_file *file, const char *dir, const char *name, tr_status *st) {
     char path[TR_PATH];
     *file = (tr_file){0};
-    return tr_dir_path(path, dir, name, st) && tr_made_add(dir, name, st) && open_part(file, path, "w", st);
+    return tr_dir_path(path, dir, name, st) && tr_manifest_add(dir, name, st) && open_temporary(file, path, "w", st);
 }
 
 bool tr_file_reopen(tr_file *file, const char *dir, const char *name, tr_status *st) {
     char path[TR_PATH];
     *file = (tr_file){0};
-    if (!tr_dir_path(path, dir, name, st) || !tr_made_add(dir, name, st) || !open_part(file, path, "a", st))
+    if (!tr_dir_path(path, dir, name, st) || !tr_manifest_add(dir, name, st) || !open_temporary(file, path, "a", st))
         return false;
     fseek(file->stream, 0, SEEK_END);
     file->kept = ftell(file->stream); /* all of it, until the length is known */

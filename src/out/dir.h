@@ -27,7 +27,7 @@ bool tr_dir_holds(const char *dir, const char *name, const char *text, bool *sam
 /* Makes dir/name. */
 bool tr_dir_make(const char *dir, const char *name, tr_status *st);
 
-/* Opens dir/name for writing, and lists it first: see made.h. */
+/* Opens dir/name for writing, and lists it first: see manifest.h. */
 bool tr_file_open(tr_file *file, const char *dir, const char *name, tr_status *st);
 /* The same for a file that the user has named by its path. It is not listed. */
 bool tr_file_open_path(tr_file *file, const char *path, tr_status *st);

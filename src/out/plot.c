@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "out/plot.h"
 
-#include "base/part.h"
+#include "base/temporary.h"
 #include "base/program.h"
 #include "out/dir.h"
-#include "out/made.h"
+#include "out/manifest.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <spawn.h>
@@ -121,7 +121,7 @@ static bool is_whole(const char *path, const char *end, size_t size) {
 
 /* The picture gets its name; with gnuplot's code != 0 it is removed. */
 static bool keep(const char *part, const char *path, const char *end, size_t size, int code, tr_status *st) {
-    if (!code && is_whole(part, end, size)) return tr_part_keep(part, path, st);
+    if (!code && is_whole(part, end, size)) return tr_temporary_rename(part, path, st);
     unlink(part);
     return code || tr_status_fail(st, TR_FILE, "error: cannot write %s: gnuplot did not finish it", path);
 }
@@ -133,8 +133,8 @@ bool tr_plot_draw(const char *dir, const char *script, const char *stem, int *co
     bool ok = true;
     for (int k = 0; k < 2 && ok; k++) {
         snprintf(name[k], sizeof name[k], "%s%s", stem, k ? ".png" : ".svg");
-        ok = tr_made_add(dir, name[k], st) && tr_dir_path(path[k], dir, name[k], st) &&
-             (part[k] = tr_part_name(path[k], st));
+        ok = tr_manifest_add(dir, name[k], st) && tr_dir_path(path[k], dir, name[k], st) &&
+             (part[k] = tr_temporary_name(path[k], st));
     }
     if (ok && (ok = run_gnuplot(dir, script, code, st))) {
         bool svg = keep(part[0], path[0], svg_end, sizeof svg_end - 1, *code, st);

@@ -103,8 +103,8 @@ static void add_pipeline(json_t *o, const tr_world *world) {
     }
     json_object_set_new(o, "passes", passes);
     json_object_set_new(o, "pair_finding", json_string(world->broad->name));
-    if (!world->group[0].slot[TR_FRICTION].law->step) json_array_append_new(out, json_string("friction"));
-    if (!world->group[0].slot[TR_ROLLING].law->step) json_array_append_new(out, json_string("rolling resistance"));
+    if (!world->group[0].laws[TR_FRICTION].law->step) json_array_append_new(out, json_string("friction"));
+    if (!world->group[0].laws[TR_ROLLING].law->step) json_array_append_new(out, json_string("rolling resistance"));
     if (!world->group[1].spins && world->n_walls)
         json_array_append_new(out, json_string("friction and rolling resistance at walls"));
     if (!world->n_walls) json_array_append_new(out, json_string("walls"));

@@ -48,7 +48,7 @@ typedef struct tr_check_result {
     tr_shape shape;
     const tr_scene_check *check;
     const char *what, *unit; /* unit: for tr_param_by_shape */
-    char of[TR_PICK_NAME];   /* "wall0-3", "disk 2", "laws.0, path.2" */
+    char of[TR_CONTACT_NAME];   /* "wall0-3", "disk 2", "laws.0, path.2" */
     double measured;       /* NaN: it did not happen */
     bool ok;
 } tr_check_result;

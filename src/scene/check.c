@@ -102,8 +102,8 @@ static bool check_demands(const checker *c, const tr_scope *s, const char *slot,
 }
 
 static bool check_laws(const checker *c, const tr_scope *s, const void *base) {
-    for (int k = 0; k < TR_SLOTS; k++) {
-        tr_law_place slot = tr_tables_slot(c->r->catalog, k);
+    for (int k = 0; k < TR_LAW_KINDS; k++) {
+        tr_law_place slot = tr_tables_law_kind(c->r->catalog, k);
         const tr_scene_law *law = (const void *)((const char *)base + slot.offset);
         const tr_param_table *table = slot.laws[law->law];
         if (!check_law(c, s, slot.key, table)) return false;
@@ -161,7 +161,7 @@ static bool check_patch(const checker *c) {
 }
 
 /* Walls and disks that a key names. */
-static bool check_picks(const checker *c, const tr_scope *s, const char *key, const tr_scene_picks *picks) {
+static bool check_contact_ids(const checker *c, const tr_scope *s, const char *key, const tr_contact_ids *picks) {
     const tr_scene *scene = c->scene;
     int walls = scene->kind == TR_KIND_BIAXIAL ? (scene->boundary == TR_PERIODIC ? 0 : 4) : scene->n_walls;
     int disks = scene->kind == TR_KIND_BIAXIAL ? scene->sample.disks : scene->n_disks;
@@ -169,7 +169,7 @@ static bool check_picks(const checker *c, const tr_scope *s, const char *key, co
     if (!e) return true; /* not for this kind of case, not with this choice */
     const tr_node *node = e->node && e->node->type == TR_NODE_LIST ? e->node->child : e->node;
     for (int i = 0; i < picks->n && node; i++, node = node->next) { /* as many nodes as picks */
-        tr_scene_pick pick = picks->item[i];
+        tr_contact_id pick = picks->item[i];
         if (pick.b < disks && pick.a >= -walls) continue;
         return tr_text_fail(c->r->st, node->mark, "there is no contact `%s`: disks count from 0 to %d, walls are %d",
                             node->text, disks - 1, walls);
@@ -194,11 +194,11 @@ static bool check_output(const checker *c, const tr_scope *s) {
     if (scene->output.still > scene->time_end)
         return tr_text_fail(c->r->st, mark_in(s, "still"), "`still` is %.9g s, after `time_end`, which is %.9g s",
                             scene->output.still, scene->time_end);
-    const tr_scene_picks *shown = &scene->output.contact;
+    const tr_contact_ids *shown = &scene->output.contact;
     if (shown->n && shown->item[0].a == shown->item[0].b)
         return tr_text_fail(c->r->st, mark_in(s, "contact"),
                             "the panel shows one contact, named as 0-1 (two disks) or wall0-1 (wall 0, disk 1)");
-    return check_picks(c, s, "contact", shown) && check_picks(c, s, "paths", &scene->output.paths);
+    return check_contact_ids(c, s, "contact", shown) && check_contact_ids(c, s, "paths", &scene->output.paths);
 }
 
 /* A ring holds what is inside of it: smaller, and no deeper in the ring than a contact may be (0.3 of its radius). What is
@@ -287,7 +287,7 @@ static bool check_check(const checker *c, const tr_scope *s) {
     if (threshold && !(check->exact >= 0 && check->exact < 85 * M_PI / 180))
         return tr_text_fail(c->r->st, mark_in(s, "exact"),
                             "a slope is looked for from 0 to 85 degrees, and `exact` is %.4g rad", check->exact);
-    return check_picks(c, s, "contact", &check->contact);
+    return check_contact_ids(c, s, "contact", &check->contact);
 }
 
 /* Two walls in one line, one of them with ends, may lie one on the other: a disk would touch both. Walls before this

@@ -76,16 +76,16 @@ typedef struct tr_scene_step {
 
 /* A contact by name: `17-42`, disks a < b; `wall0-3`, a = -1-w of wall w; `most-mobilised`, a = b: the one that uses
  * the largest part of its friction at the end of the run. */
-typedef struct tr_scene_pick {
+typedef struct tr_contact_id {
     int a, b;
-} tr_scene_pick;
+} tr_contact_id;
 
-enum { TR_MAX_PICKS = 16, TR_PICK_NAME = 32 };
+enum { TR_MAX_CONTACT_IDS = 16, TR_CONTACT_NAME = 32 };
 
-typedef struct tr_scene_picks {
+typedef struct tr_contact_ids {
     int n;
-    tr_scene_pick item[TR_MAX_PICKS];
-} tr_scene_picks;
+    tr_contact_id item[TR_MAX_CONTACT_IDS];
+} tr_contact_ids;
 
 typedef struct tr_scene_output {
     int frames;           /* pictures over the run, equally spaced, the last at the end; 0: none */
@@ -96,8 +96,8 @@ typedef struct tr_scene_output {
     bool energy;          /* keep the energy ledger */
     bool increments;      /* what the contacts did between two rows, as columns of history.csv and contacts.csv */
     bool curves;          /* draw history.csv or contact.csv with gnuplot; not bodies */
-    tr_scene_picks paths; /* contacts whose path is written to paths/NAME.csv */
-    tr_scene_picks contact; /* bodies: the one contact that the panel and the curve show; none: the first ones */
+    tr_contact_ids paths; /* contacts whose path is written to paths/NAME.csv */
+    tr_contact_ids contact; /* bodies: the one contact that the panel and the curve show; none: the first ones */
     int curve;              /* bodies: tr_curve drawn beside the motion */
     double still;         /* bodies: time of still.png [s] */
     int view;             /* bodies: tr_output_view */
@@ -194,7 +194,7 @@ typedef struct tr_scene_check {
     int what; /* of what.h: tr_what of bodies, tr_column along a path */
     /* kind: bodies */
     int disk;               /* of a disk */
-    tr_scene_picks contact; /* one, of a contact */
+    tr_contact_ids contact; /* one, of a contact */
     double at, over;        /* mean over the time `over` that ends `at` [s]; over 0: the instant. Not of events */
     /* kind: contact, patch */
     int law;     /* number in scene->laws */

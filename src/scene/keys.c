@@ -71,8 +71,8 @@ static bool hidden(const printer *p, const tr_param_table *law) {
 }
 
 static bool hidden_choice(const printer *p, const tr_param *row, int i) {
-    for (int k = 0; k < TR_SLOTS && !row->choices; k++) {
-        tr_law_place slot = tr_tables_slot(p->catalog, k);
+    for (int k = 0; k < TR_LAW_KINDS && !row->choices; k++) {
+        tr_law_place slot = tr_tables_law_kind(p->catalog, k);
         if (strcmp(slot.key, row->key) == 0) return hidden(p, slot.laws[i]);
     }
     return false;
@@ -99,7 +99,7 @@ static void add_range(const printer *p, char cell[CELL], const tr_param *row) {
     case TR_TEXT:
         snprintf(range, sizeof range, "a line of at most %g bytes", row->max - 1);
         break;
-    case TR_PICKS:
+    case TR_CONTACT_IDS:
         snprintf(range, sizeof range, row->max > 1 ? "a list of at most %g contacts" : "one contact", row->max);
         break;
     case TR_REAL:
@@ -229,8 +229,8 @@ static void walk_law(printer *p, const tr_law_place *slot, int law) {
     }
 }
 
-static void walk_slot(printer *p, int k) {
-    tr_law_place slot = tr_tables_slot(p->catalog, k);
+static void walk_law_kind(printer *p, int k) {
+    tr_law_place slot = tr_tables_law_kind(p->catalog, k);
     for (int i = 0; i < slot.n; i++)
         if (!hidden(p, slot.laws[i])) walk_law(p, &slot, i);
 }
@@ -258,7 +258,7 @@ static void print_table(printer *p, const tr_section *section, int slot) {
         if (section)
             walk_section(p, section), walk_inner(p, section);
         else
-            walk_slot(p, slot);
+            walk_law_kind(p, slot);
     }
 }
 
@@ -276,12 +276,13 @@ static void print_section(printer *p, const tr_section *t) {
         print_table(p, inner, 0);
     }
     for (const tr_section *u = t; u; u = tr_tables_next(u, p->kinds))
-        if (u->first_slot) fputs("\nBeside these: the [parameters of the chosen laws](#parameters-of-laws).\n", p->out);
+        if (u->first_law_kind)
+            fputs("\nBeside these: the [parameters of the chosen laws](#parameters-of-laws).\n", p->out);
 }
 
 static bool takes_laws(unsigned kinds) {
     for (int i = 0; i < tr_n_sections; i++)
-        if (tr_sections[i].first_slot && tr_sections[i].kinds & kinds) return true;
+        if (tr_sections[i].first_law_kind && tr_sections[i].kinds & kinds) return true;
     return false;
 }
 
@@ -302,8 +303,8 @@ static void print_laws(printer *p) {
     fputs("\n## Parameters of laws\n\nThey stand beside the name of the law: in `contact`, or in an item of `laws` "
           "(`kind: contact`). A key that two chosen laws share is given once.\n",
           p->out);
-    for (int k = 0; k < TR_SLOTS; k++) {
-        fprintf(p->out, "\n### `%s`\n\n", tr_tables_slot(p->catalog, k).key);
+    for (int k = 0; k < TR_LAW_KINDS; k++) {
+        fprintf(p->out, "\n### `%s`\n\n", tr_tables_law_kind(p->catalog, k).key);
         print_table(p, NULL, k);
     }
 }

@@ -65,10 +65,10 @@ static void add_derived(reader *c, tr_scope *s, const tr_param *params, int n, v
 }
 
 /* The parameters of the laws of a tr_scene_contact at base. */
-static bool add_laws(reader *c, tr_scope *s, void *base, int first_slot) {
+static bool add_laws(reader *c, tr_scope *s, void *base, int first_law_kind) {
     for (int chosen = 1; chosen >= 0; chosen--) {
-        for (int k = first_slot - 1; k < TR_SLOTS; k++) {
-            tr_law_place slot = tr_tables_slot(c->r.catalog, k);
+        for (int k = first_law_kind - 1; k < TR_LAW_KINDS; k++) {
+            tr_law_place slot = tr_tables_law_kind(c->r.catalog, k);
             tr_scene_law *law = field(base, slot.offset);
             if (chosen && !tr_resolve(&c->r, tr_resolve_entry(s, slot.key), NULL)) return false;
             for (int i = 0; i < slot.n; i++) {
@@ -119,9 +119,9 @@ static bool has_key(const tr_param *params, int n, const char *key) {
     return false;
 }
 
-static bool some_law_has(const reader *c, int first_slot, const char *key) {
-    for (int k = first_slot - 1; first_slot && k < TR_SLOTS; k++) {
-        tr_law_place slot = tr_tables_slot(c->r.catalog, k);
+static bool some_law_has(const reader *c, int first_law_kind, const char *key) {
+    for (int k = first_law_kind - 1; first_law_kind && k < TR_LAW_KINDS; k++) {
+        tr_law_place slot = tr_tables_law_kind(c->r.catalog, k);
         for (int i = 0; i < slot.n; i++)
             if (has_key(slot.laws[i]->params, slot.laws[i]->n, key)) return true;
     }
@@ -132,7 +132,7 @@ static bool some_law_has(const reader *c, int first_slot, const char *key) {
 static bool other_section(const reader *c, const char *key, char *name, size_t size) {
     for (const tr_section *t = tr_sections; t < tr_sections + tr_n_sections; t++) {
         if (!*t->key || !(t->kinds & c->kind) || t->derived) continue;
-        if (!has_key(t->params, t->n, key) && !some_law_has(c, t->first_slot, key)) continue;
+        if (!has_key(t->params, t->n, key) && !some_law_has(c, t->first_law_kind, key)) continue;
         snprintf(name, size, "%s.%s%s", t->key, t->item ? "0." : "", key);
         return true;
     }
@@ -207,7 +207,7 @@ static bool read_mapping(reader *c, const tr_section *t) {
     tr_scope *s = open_scope(c, t->key, -1, node);
     for (const tr_section *u = t; u; u = tr_tables_next(u, c->kind))
         add_rows(c, s, u->params, u->n, field(c->scene, u->offset), NULL);
-    if (t->first_slot && !add_laws(c, s, field(c->scene, t->offset), t->first_slot)) return false;
+    if (t->first_law_kind && !add_laws(c, s, field(c->scene, t->offset), t->first_law_kind)) return false;
     return find_shape(c, s) && check_keys(c, s);
 }
 
@@ -236,7 +236,7 @@ static bool read_inner(reader *c, const tr_section *t, int i, const tr_node *nod
     s->sub = t->key;
     *(bool *)field(item, t->given) = true;
     add_rows(c, s, t->params, t->n, field(item, t->offset), NULL);
-    if (t->first_slot && !add_laws(c, s, field(item, t->offset), t->first_slot)) return false;
+    if (t->first_law_kind && !add_laws(c, s, field(item, t->offset), t->first_law_kind)) return false;
     return check_keys(c, s);
 }
 
@@ -278,7 +278,7 @@ static bool read_list(reader *c, const tr_section *t) {
                 add_derived(c, s, u->params, u->n, NULL);
             else
                 add_rows(c, s, u->params, u->n, item, NULL);
-            if (u->first_slot && !add_laws(c, s, item, u->first_slot)) return false;
+            if (u->first_law_kind && !add_laws(c, s, item, u->first_law_kind)) return false;
         }
         if (!check_keys(c, s)) return false;
     }
@@ -288,8 +288,8 @@ static bool read_list(reader *c, const tr_section *t) {
 /* Room for every scope and entry that the case can have. */
 static bool reserve(reader *c) {
     int scopes = 1, entries = 0, laws = 0; /* laws: rows of all laws */
-    for (int k = 0; k < TR_SLOTS; k++) {
-        tr_law_place slot = tr_tables_slot(c->r.catalog, k);
+    for (int k = 0; k < TR_LAW_KINDS; k++) {
+        tr_law_place slot = tr_tables_law_kind(c->r.catalog, k);
         for (int i = 0; i < slot.n; i++) laws += slot.laws[i]->n;
     }
     for (int i = 0; i < tr_n_sections; i++) {
@@ -298,7 +298,7 @@ static bool reserve(reader *c) {
         const tr_node *node = list ? tr_tree_find(c->root, list) : NULL;
         int items = list ? (node ? tr_tree_count(node) : 0) : 1;
         scopes += items;
-        entries += items * (t->n + (t->first_slot ? laws : 0));
+        entries += items * (t->n + (t->first_law_kind ? laws : 0));
     }
     c->r.scopes = tr_alloc((size_t)scopes, sizeof(tr_scope), c->st);
     c->entries = tr_alloc((size_t)entries, sizeof(tr_entry), c->st);

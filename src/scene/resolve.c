@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* An entry is new, busy or done. Reaching a busy one again is a cycle, and the askers give its path. */
 #include "scene/resolve.h"
-#include "scene/pick.h"
+#include "scene/contact_name.h"
 #include "scene/tables.h"
 
 #include <errno.h>
@@ -189,12 +189,12 @@ static bool read_switch(tr_resolver *r, tr_entry *e, const char *text) {
 }
 
 /* A list of names, or a single one. */
-static bool read_picks(tr_resolver *r, tr_entry *e) {
-    tr_scene_picks *picks = e->value;
+static bool read_contact_ids(tr_resolver *r, tr_entry *e) {
+    tr_contact_ids *picks = e->value;
     const tr_node *node = e->node && e->node->type == TR_NODE_LIST ? e->node->child : e->node;
-    for (*picks = (tr_scene_picks){0}; node; node = node == e->node ? NULL : node->next) {
-        tr_scene_pick pick;
-        if (node->type != TR_NODE_VALUE || !tr_scene_pick_read(&pick, node->text))
+    for (*picks = (tr_contact_ids){0}; node; node = node == e->node ? NULL : node->next) {
+        tr_contact_id pick;
+        if (node->type != TR_NODE_VALUE || !tr_contact_name_read(&pick, node->text))
             return tr_text_fail(r->st, node->mark,
                                 "%s%s%sno contact; name it 17-42 (disks 17 and 42), wall0-3 (wall 0 and disk 3) or "
                                 "most-mobilised",
@@ -237,7 +237,7 @@ static bool read_value(tr_resolver *r, tr_entry *e, const char *text) {
         return read_switch(r, e, text);
     case TR_TEXT:
         return read_text(r, e, text);
-    case TR_PICKS: /* no text: see tr_resolve */
+    case TR_CONTACT_IDS: /* no text: see tr_resolve */
         break;
     }
     return false;
@@ -267,7 +267,7 @@ bool tr_resolve(tr_resolver *r, tr_entry *e, tr_entry *asker) {
     if (e->state == TR_ENTRY_DONE) return true;
     if (e->state == TR_ENTRY_BUSY) return cycle(r, e, asker);
     const tr_param *p = e->param;
-    if (p->type == TR_PICKS) return read_picks(r, e);
+    if (p->type == TR_CONTACT_IDS) return read_contact_ids(r, e);
     tr_shown name = tr_resolve_name(e->scope, p->key);
     const char *instead = p->type == TR_REAL ? p->choices : NULL;
     const tr_entry *other = instead ? tr_resolve_entry(e->scope, instead) : NULL;

@@ -182,13 +182,13 @@ static const tr_param output[] = {
     {"frames", TR_COUNT, TR_DIM_NUMBER, "", "20", 0, 1e5, NULL, AT(frames), "number of pictures; 0: none"},
     {"rows", TR_COUNT, TR_DIM_NUMBER, "", "400", 3, 1e6, NULL, AT(rows), "rows of history.csv"},
     {"contacts", TR_COUNT, TR_DIM_NUMBER, "", "1", 0, 1e5, NULL, AT(contacts), "number of instants in contacts.csv"},
-    {"paths", TR_PICKS, TR_DIM_NUMBER, "", "[]", 0, TR_MAX_PICKS, NULL, AT(paths),
+    {"paths", TR_CONTACT_IDS, TR_DIM_NUMBER, "", "[]", 0, TR_MAX_CONTACT_IDS, NULL, AT(paths),
      "contacts whose path is written: 17-42 (two disks), wall0-3 (wall 0, disk 3), most-mobilised (at the end)"},
 };
 static const tr_param output_bodies[] = {
     {"curve", TR_CHOICE, TR_DIM_NUMBER, "", "none", 0, 0, "none|speed|velocities|creepage|spin", AT(curve),
      "drawn over time: speed of disk 0; V_s and V_r, or creepage, of `contact`, else the first; spin of the last disk"},
-    {"contact", TR_PICKS, TR_DIM_NUMBER, "", "[]", 0, 1, NULL, AT(contact),
+    {"contact", TR_CONTACT_IDS, TR_DIM_NUMBER, "", "[]", 0, 1, NULL, AT(contact),
      "shown in the panel, alone: 0-1 (two disks), wall0-2 (wall 0, disk 2); by default the first four"},
     {"still", TR_REAL, TR_DIM_TIME, "s", "time_end", 0, 1e6, NULL, AT(still), "time of still.png"},
     {"view", TR_CHOICE, TR_DIM_NUMBER, "", "class", 0, 0, "class|expert", AT(view),
@@ -279,7 +279,7 @@ static const tr_param check[] = {
     {"what", TR_CHOICE, TR_DIM_NUMBER, "", NULL, 0, 0, &TR_WHATS(NEXT_CHOICE)[1], AT(what), "the measured quantity"},
 };
 static const tr_param check_contact[] = {
-    {"contact", TR_PICKS, TR_DIM_NUMBER, "", NULL, 0, 1, NULL, AT(contact),
+    {"contact", TR_CONTACT_IDS, TR_DIM_NUMBER, "", NULL, 0, 1, NULL, AT(contact),
      "the contact: 0-1 (two disks), wall0-1 (wall 0, disk 1)"},
 };
 static const tr_param check_disk[] = {
@@ -393,7 +393,7 @@ const tr_section tr_sections[] = {
     SECTION("lesson", "texts for the class", TR_FOR_ALL, lesson, .offset = AT(lesson),
             .example = "lesson: {title: what there is to see}"),
     SECTION("sample", "disks before compaction", TR_FOR_BIAXIAL, sample, .offset = AT(sample)),
-    SECTION("contact", "the laws between two disks", TR_FOR_WORLDS, contact, .offset = AT(contact), .first_slot = 1),
+    SECTION("contact", "the laws between two disks", TR_FOR_WORLDS, contact, .offset = AT(contact), .first_law_kind = 1),
     SECTION("compaction", "isotropic, between four smooth walls or in a periodic cell", TR_FOR_BIAXIAL, compaction,
             .offset = AT(compaction)),
     SECTION("shear", "top and bottom approach, the lateral sides hold the pressure", TR_FOR_BIAXIAL, shear,
@@ -413,7 +413,7 @@ const tr_section tr_sections[] = {
     SECTION("walls", "rigid planes", TR_FOR_BODIES, wall, LIST(walls, n_walls, 0, 100)),
     SECTION("contact", "laws of this wall; without a key, that of the contact of the scene holds", TR_FOR_BODIES, contact,
             .inside = "walls", .offset = offsetof(tr_scene_wall, contact), .given = offsetof(tr_scene_wall, own),
-            .like = "contact", .first_slot = 1),
+            .like = "contact", .first_law_kind = 1),
     CHECKS(TR_FOR_BODIES, check, 0),
     CHECKS(TR_FOR_BODIES, check_contact, 0 TR_WHATS(BIT_OF_CONTACT)),
     CHECKS(TR_FOR_BODIES, check_disk, 0 TR_WHATS(BIT_OF_DISK)),
@@ -423,7 +423,7 @@ const tr_section tr_sections[] = {
     SECTION("bodies", "", TR_FOR_CONTACT, pair_density, .offset = AT(pair)),
     SECTION("bodies", "", TR_FOR_CONTACT, bodies_depth, .offset = 0),
     SECTION("laws", "each item runs along the path on its own", TR_FOR_CONTACT, laws,
-            LIST(laws, n_laws, 1, TR_MAX_LAWS), .first_slot = 1),
+            LIST(laws, n_laws, 1, TR_MAX_LAWS), .first_law_kind = 1),
     SECTION("path", "motion of the contact; the line of centres does not move", TR_FOR_PAIR, path,
             LIST(path, n_segments, 1, 1000), .file = AT(path_file)),
     SECTION("path", "", TR_FOR_CONTACT, path_contact, LIST(path, n_segments, 1, 1000)),
@@ -464,8 +464,8 @@ bool tr_tables_chosen(const tr_section *section, const void *item) {
 #undef STRUCT
 
 #define STRUCT tr_scene_contact
-tr_law_place tr_tables_slot(const tr_param_catalog *catalog, int i) {
-    const tr_law_place slots[TR_SLOTS] = {
+tr_law_place tr_tables_law_kind(const tr_param_catalog *catalog, int i) {
+    const tr_law_place slots[TR_LAW_KINDS] = {
         {"normal", catalog->normal, catalog->n_normal, AT(normal)},
         {"friction", catalog->friction, catalog->n_friction, AT(friction)},
         {"rolling", catalog->rolling, catalog->n_rolling, AT(rolling)},
@@ -489,8 +489,8 @@ static bool choice_of(const char *p, int i, tr_shown *name) {
 
 bool tr_tables_choice(const tr_param_catalog *catalog, const tr_param *param, int i, tr_shown *name) {
     if (param->choices) return choice_of(param->choices, i, name);
-    for (int k = 0; k < TR_SLOTS; k++) {
-        tr_law_place slot = tr_tables_slot(catalog, k);
+    for (int k = 0; k < TR_LAW_KINDS; k++) {
+        tr_law_place slot = tr_tables_law_kind(catalog, k);
         if (strcmp(param->key, slot.key) != 0) continue;
         if (i < slot.n) *name = tr_text_show(slot.laws[i]->name);
         return i < slot.n;

@@ -14,7 +14,7 @@ enum {
     TR_FOR_PAIR = TR_FOR_CONTACT | TR_FOR_PATCH,    /* kinds where a path drives one contact */
     TR_FOR_WORLDS = TR_FOR_BIAXIAL | TR_FOR_BODIES, /* kinds in which forces move disks */
     TR_FOR_ALL = TR_FOR_WORLDS | TR_FOR_PAIR,
-    TR_SLOTS = 3
+    TR_LAW_KINDS = 3
 };
 
 /* Rows of one section. Neighbours with the same key are one section, some of whose keys are for one kind only, or for
@@ -40,7 +40,7 @@ typedef struct tr_section {
                            not so */
     size_t given;       /* of such a mapping: offset of a bool that says whether the item has it */
     const char *like;   /* of such a mapping: what it does not say is as in this mapping of the root; NULL: not so */
-    int first_slot;  /* of sections whose struct is a tr_scene_contact: the keys of the laws of this and later slots are
+    int first_law_kind;  /* of sections whose struct is a tr_scene_contact: the keys of the laws of this and later slots are
                        in it too; 0: none, so it counts from 1 */
 } tr_section;
 
@@ -71,7 +71,7 @@ typedef struct tr_law_place {
     size_t offset; /* of the tr_scene_law in tr_scene_contact */
 } tr_law_place;
 
-tr_law_place tr_tables_slot(const tr_param_catalog *catalog, int i);
+tr_law_place tr_tables_law_kind(const tr_param_catalog *catalog, int i);
 
 /* Name of choice i of a TR_CHOICE row; false when there are no more. Rows with choices from the catalog have choices
  * NULL. */

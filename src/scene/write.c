@@ -2,7 +2,7 @@
 /* tr_scene to case text: the same tables, in the other direction. */
 #include "scene/write.h"
 
-#include "scene/pick.h"
+#include "scene/contact_name.h"
 #include "scene/tables.h"
 #include "base/alloc.h"
 #include "base/gather.h"
@@ -33,11 +33,11 @@ static int write_quoted(FILE *out, const char *text) {
     return n + fprintf(out, "\"");
 }
 
-static int write_picks(FILE *out, const tr_scene_picks *picks) {
+static int write_contact_ids(FILE *out, const tr_contact_ids *picks) {
     int n = fprintf(out, "[");
     for (int i = 0; i < picks->n; i++) {
-        char name[TR_PICK_NAME];
-        tr_scene_pick_name(picks->item[i], name);
+        char name[TR_CONTACT_NAME];
+        tr_contact_name_write(picks->item[i], name);
         n += fprintf(out, "%s%s", i ? ", " : "", name);
     }
     return n + fprintf(out, "]");
@@ -60,8 +60,8 @@ static int write_value(const writer *w, const tr_param *p, const void *value) {
     case TR_CHOICE:
         tr_tables_choice(w->catalog, p, *(const int *)value, &name);
         return fprintf(w->out, "%s", name.text);
-    case TR_PICKS:
-        return write_picks(w->out, value);
+    case TR_CONTACT_IDS:
+        return write_contact_ids(w->out, value);
     case TR_TEXT:
         return write_quoted(w->out, value);
     }
@@ -87,15 +87,15 @@ static const tr_scene_law *law_at(const void *base, const tr_law_place *slot) {
 }
 
 /* Parameters of the chosen laws of the tr_scene_contact at base. A key that two of them share is written once. */
-static void write_laws(const writer *w, const void *base, int first_slot, const char *lead) {
-    for (int k = first_slot - 1; k < TR_SLOTS; k++) {
-        tr_law_place slot = tr_tables_slot(w->catalog, k);
+static void write_laws(const writer *w, const void *base, int first_law_kind, const char *lead) {
+    for (int k = first_law_kind - 1; k < TR_LAW_KINDS; k++) {
+        tr_law_place slot = tr_tables_law_kind(w->catalog, k);
         const tr_scene_law *law = law_at(base, &slot);
         const tr_param_table *table = slot.laws[law->law];
         for (int i = 0; i < table->n; i++) {
             bool written = false;
-            for (int before = first_slot - 1; before < k; before++) {
-                tr_law_place other = tr_tables_slot(w->catalog, before);
+            for (int before = first_law_kind - 1; before < k; before++) {
+                tr_law_place other = tr_tables_law_kind(w->catalog, before);
                 const tr_param_table *t = other.laws[law_at(base, &other)->law];
                 for (int j = 0; j < t->n; j++) written |= strcmp(t->params[j].key, table->params[i].key) == 0;
             }
@@ -109,7 +109,7 @@ static void write_inner(const writer *w, const tr_section *t, const char *item) 
     if (!*(const bool *)(item + t->given)) return;
     fprintf(w->out, "    %s:\n", t->key);
     for (int k = 0; k < t->n; k++) write_key(w, &t->params[k], item + t->offset, "      ", true);
-    if (t->first_slot) write_laws(w, item + t->offset, t->first_slot, "      ");
+    if (t->first_law_kind) write_laws(w, item + t->offset, t->first_law_kind, "      ");
 }
 
 /* Meanings stand at the first item only: a thousand disks must stay under the size limit of a case. */
@@ -123,7 +123,7 @@ static void write_list(const writer *w, const tr_section *t) {
         for (const tr_section *u = t; u; u = tr_tables_next(u, 1u << w->scene->kind)) {
             for (int k = 0; k < u->n && !u->derived && tr_tables_chosen(u, item); k++)
                 if (write_key(w, &u->params[k], item, lead, i == 0)) lead = "    ";
-            if (u->first_slot) write_laws(w, item, u->first_slot, "    ");
+            if (u->first_law_kind) write_laws(w, item, u->first_law_kind, "    ");
         }
         for (int k = -1; (k = tr_tables_inside(t->key, 1u << w->scene->kind, k)) < tr_n_sections;)
             write_inner(w, &tr_sections[k], item);
@@ -148,7 +148,7 @@ static void write_section(const writer *w, const tr_section *t, bool begins) {
     }
     for (int i = 0; i < t->n; i++)
         write_key(w, &t->params[i], (const char *)w->scene + t->offset, *t->key ? "  " : "", true);
-    if (t->first_slot) write_laws(w, (const char *)w->scene + t->offset, t->first_slot, "  ");
+    if (t->first_law_kind) write_laws(w, (const char *)w->scene + t->offset, t->first_law_kind, "  ");
 }
 
 static void write_document(const writer *w) {

@@ -91,14 +91,14 @@ static double restitution(double zeta) {
 }
 
 static bool write_variables(const tr_biaxial *b, const char *dir, tr_status *st) {
-    static const char *const keys[TR_N_SLOTS][2] = {{"k_n", "damping_ratio"}, {"mu", "k_t"}, {"mu_r", "k_r"}};
+    static const char *const keys[TR_N_LAW_KINDS][2] = {{"k_n", "damping_ratio"}, {"mu", "k_t"}, {"mu_r", "k_r"}};
     static const char *const laws[] = {"linear", "coulomb-spring", "wang-spring"};
     tr_file file = {0};
     if (!tr_file_open(&file, dir, "packing.lmp", st)) return false;
-    const tr_slot *normal = &b->world.group[0].slot[TR_NORMAL];
+    const tr_group_law *normal = &b->world.group[0].laws[TR_NORMAL];
     fprintf(file.stream, "variable dt equal %.17g\nvariable diameter equal %.17g\n", b->world.dt, 2 * b->mean_radius);
-    for (int k = 0; k < TR_N_SLOTS; k++) {
-        const tr_slot *slot = &b->world.group[0].slot[k];
+    for (int k = 0; k < TR_N_LAW_KINDS; k++) {
+        const tr_group_law *slot = &b->world.group[0].laws[k];
         if (k == TR_ROLLING && !slot->law->step) continue;
         if (strcmp(slot->law->table.name, laws[k])) {
             tr_file_discard(&file);

@@ -9,7 +9,7 @@
 #include <stdio.h>
 
 /* Value of a law's parameter; 0 where the law has none of that name. */
-static double law_value(const tr_slot *slot, const char *key) {
+static double law_value(const tr_group_law *slot, const char *key) {
     const double *value = tr_law_value(slot->law, slot->par, key);
     return value ? *value : 0;
 }
@@ -28,7 +28,7 @@ tr_view tr_run_biaxial_view(const tr_biaxial *b, char title[TR_RUN_TITLE]) {
     tr_record typical = {.v_s = speed, .v_r = speed};
     /* Rigid blocks would turn by about the strain, disks on either side of a slip line by a multiple of it. */
     double turn = fmax(1, round(18 * b->scene->shear.strain_end)) * 10 * M_PI / 180;
-    const tr_slot *slot = b->world.group[0].slot;
+    const tr_group_law *slot = b->world.group[0].laws;
     char mu[24], mu_r[24];
     snprintf(mu, sizeof mu, "%g", law_value(&slot[TR_FRICTION], "mu"));
     snprintf(mu_r, sizeof mu_r, "%g", law_value(&slot[TR_ROLLING], "mu_r"));

@@ -4,7 +4,7 @@
 
 #include "base/alloc.h"
 #include "core/step.h"
-#include "scene/pick.h"
+#include "scene/contact_name.h"
 #include "scene/what.h"
 #include <math.h>
 #include <stdio.h>
@@ -152,7 +152,7 @@ static void slips_from(item *it, const sight *now) {
 #define FUNCTION(choice, name, dim, unit, whose, when, function) [choice] = function,
 static void (*const measure[TR_N_WHATS])(item *, const sight *) = {TR_WHATS(FUNCTION)};
 
-static const tr_record *find(const tr_record *records, int n, tr_scene_pick pick) {
+static const tr_record *find(const tr_record *records, int n, tr_contact_id pick) {
     for (int i = 0; i < n; i++)
         if (records[i].a == pick.a && records[i].b == pick.b) return &records[i];
     return NULL;
@@ -183,7 +183,7 @@ void tr_checks_results(const tr_checks *c, tr_check_result *result) {
         result[k].measured = measured;
         result[k].ok = fabs(measured - check->exact) <= check->tolerance; /* false for NaN */
         if (row->whose == TR_OF_CONTACT)
-            tr_scene_pick_name(check->contact.item[0], result[k].of);
+            tr_contact_name_write(check->contact.item[0], result[k].of);
         else
             snprintf(result[k].of, sizeof result[k].of, "disk %d", check->disk);
     }
@@ -218,7 +218,7 @@ static bool creeps(tr_bodies *b, const tr_scene_check *check, double *distance, 
         if (!tr_step_forces(&b->world, st)) break;
         if (k < b->steps / 2) continue;
         int n = of_floor ? tr_record_all(&b->world, &records, &capacity, st) : 0;
-        sight now = look(b, check->disk, find(records, n, (tr_scene_pick){-1, check->disk}));
+        sight now = look(b, check->disk, find(records, n, (tr_contact_id){-1, check->disk}));
         if (k == b->steps / 2) it.start = now;
         measure[check->what](&it, &now);
     }

@@ -3,7 +3,7 @@
 
 #include "base/alloc.h"
 #include "laws/law.h"
-#include "out/made.h"
+#include "out/manifest.h"
 #include "study/clock.h"
 #include "study/converge_cost.h"
 #include "study/converge_numbers.h"
@@ -244,7 +244,7 @@ static bool run(tr_converge *c, char **text, tr_status *st) {
     int lock = -1;
     if (c->options->plan) return look_ahead(c, text, st);
     if (!tr_dir_lock(dir, &lock, st)) return false;
-    bool ok = tr_made_spare(dir, c->options->case_file, st) && run_own(c, st) && drop_merging(c, st);
+    bool ok = tr_manifest_spare(dir, c->options->case_file, st) && run_own(c, st) && drop_merging(c, st);
     if (ok) take_own(c);
     ok = ok && climb(c, st);
     if (ok) note_outliers(c);

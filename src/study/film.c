@@ -6,7 +6,7 @@
 #include "draw/canvas.h"
 #include "draw/video.h"
 #include "out/dir.h"
-#include "out/made.h"
+#include "out/manifest.h"
 #include <math.h>
 #include <pthread.h>
 #include <stdlib.h>
@@ -126,14 +126,14 @@ static void name_gif(char *gif, size_t size, const char *mp4) {
 static bool add_films(const char *dir, const char *name, tr_status *st) {
     char gif[32];
     name_gif(gif, sizeof gif, name);
-    return tr_made_add(dir, name, st) && tr_made_add(dir, gif, st);
+    return tr_manifest_add(dir, name, st) && tr_manifest_add(dir, gif, st);
 }
 
 bool tr_film_open(tr_film *film, const char *dir, const char *name, int frames, tr_run_report *report, tr_status *st) {
     *film = (tr_film){.dir = dir, .name = name, .rate = frame_rate(frames)};
     if (!frames) return true;
     char path[TR_PATH];
-    if (!tr_dir_make(dir, "frames", st) || !tr_made_add_frames(dir, frames, st) ||
+    if (!tr_dir_make(dir, "frames", st) || !tr_manifest_add_frames(dir, frames, st) ||
         !(film->canvas = tr_canvas_record(NULL, st)))
         return false;
     if (!tr_video_available())

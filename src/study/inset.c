@@ -9,13 +9,13 @@ enum { ELEMENTS = 60 };
 /* A parameter of the friction law, else of the normal law, else 0. */
 static double value_of(const tr_group *g, const char *key) {
     for (int k = TR_FRICTION; k >= TR_NORMAL; k--) {
-        const double *value = tr_law_value(g->slot[k].law, g->slot[k].par, key);
+        const double *value = tr_law_value(g->laws[k].law, g->laws[k].par, key);
         if (value) return *value;
     }
     return 0;
 }
 
-bool tr_inset_open(tr_inset *inset, const tr_world *world, tr_scene_pick pick, tr_status *st) {
+bool tr_inset_open(tr_inset *inset, const tr_world *world, tr_contact_id pick, tr_status *st) {
     *inset = (tr_inset){.pick = pick};
     if (world->shape != TR_SHAPE_DISK) return false;
     const tr_group *g = tr_world_group(world, pick.a);

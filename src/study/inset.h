@@ -16,12 +16,12 @@
 typedef struct tr_inset {
     tr_half_plane *solver; /* NULL: there is no inset */
     tr_patch_pair pair;
-    tr_scene_pick pick;
+    tr_contact_id pick;
     tr_path_point at; /* where the solver stands */
 } tr_inset;
 
 /* False: no inset, because this is not a contact of disks with laws that have mu and E_star. */
-bool tr_inset_open(tr_inset *inset, const tr_world *world, tr_scene_pick pick, tr_status *st);
+bool tr_inset_open(tr_inset *inset, const tr_world *world, tr_contact_id pick, tr_status *st);
 void tr_inset_close(tr_inset *inset);
 
 /* To load: after tr_inset_open. An inset that has failed since is closed. */

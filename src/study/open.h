@@ -16,6 +16,6 @@ bool tr_run_open(const tr_scene *scene, const tr_run_options *options, tr_checkp
 void tr_run_remove_checkpoint(const char *dir, tr_run_report *report);
 
 /* Gives the world its threads. */
-bool tr_run_share(const tr_run_options *options, tr_world *world, tr_status *st);
+bool tr_run_threads(const tr_run_options *options, tr_world *world, tr_status *st);
 
 #endif

@@ -58,7 +58,7 @@ void tr_outputs_checkpoint(tr_outputs *o, tr_checkpoint *c) {
     bool none = !o->instants && (!lists || !k), some = o->instants >= 0 && o->instants <= lists;
     tr_checkpoint_check(c, none || (some && tr_run_is_between(o->instants + 1, lists + 1, k, total)),
                         "a number of instants");
-    if (!c->loading && o->recorder.paths.picks.n) tr_checkpoint_sync(o->options->dir, "paths", c->st);
+    if (!c->loading && o->recorder.paths.contacts.n) tr_checkpoint_sync(o->options->dir, "paths", c->st);
 }
 
 bool tr_outputs_row(tr_outputs *o, const tr_row *row, tr_status *st) {

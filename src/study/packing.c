@@ -3,7 +3,7 @@
 
 #include "base/alloc.h"
 #include "base/checkpoint.h"
-#include "base/part.h"
+#include "base/temporary.h"
 #include "core/checkpoint.h"
 #include "laws/law.h"
 #include "scene/write.h"
@@ -41,7 +41,7 @@ char *tr_packing_text(const tr_scene *scene, tr_status *st) {
 
 static bool name_file(tr_packing *p, const char *path, tr_status *st) {
     const char *slash = strrchr(path, '/');
-    if (!(p->part = tr_part_name(path, st))) return false;
+    if (!(p->part = tr_temporary_name(path, st))) return false;
     p->dir = slash ? strndup(path, (size_t)(slash - path) + 1) : strdup(".");
     p->name = strdup(slash ? slash + 1 : path);
     return (p->dir && p->name) || tr_status_fail(st, TR_FILE, "error: out of memory");
@@ -79,7 +79,7 @@ static bool is_part(const tr_packing *p) {
 }
 
 /* The process with the lock on the part makes the packing. The lock ends with the process in any case. */
-static bool wait_for_part(tr_packing *p, const char *path, const tr_run_options *options, tr_status *st) {
+static bool wait_for_temporary(tr_packing *p, const char *path, const tr_run_options *options, tr_status *st) {
     p->lock = open(p->part, O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
     if (p->lock < 0) return tr_status_fail(st, TR_FILE, "error: cannot write %s: %s", p->part, strerror(errno));
     if (!tr_checkpoint_is_one(p->lock)) {
@@ -94,7 +94,7 @@ static bool wait_for_part(tr_packing *p, const char *path, const tr_run_options 
     }
     if (is_part(p) || !access(path, F_OK)) return true;
     close(p->lock);
-    return wait_for_part(p, path, options, st);
+    return wait_for_temporary(p, path, options, st);
 }
 
 static void keep(tr_biaxial *b, double *unbalanced, tr_checkpoint *c) {
@@ -109,7 +109,7 @@ bool tr_packing_load(tr_packing *p, tr_biaxial *b, const tr_run_options *options
     *p = (tr_packing){.lock = -1};
     *there = false;
     if (!(p->text = tr_packing_text(b->scene, st)) || !name_file(p, path, st)) return false;
-    if (access(path, F_OK) && !wait_for_part(p, path, options, st)) return false;
+    if (access(path, F_OK) && !wait_for_temporary(p, path, options, st)) return false;
     if (access(path, F_OK)) return true; /* for this run to make */
     if (p->lock >= 0) unlink(p->part);   /* the other run has renamed its part */
     tr_status instead = {0};

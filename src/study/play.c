@@ -26,7 +26,7 @@ double tr_play_time(const tr_play *p) {
     return (double)p->b.world.steps * p->b.world.dt;
 }
 
-bool tr_play_look(tr_play *p, tr_status *st) {
+bool tr_play_observe(tr_play *p, tr_status *st) {
     p->n_records = tr_record_all(&p->b.world, &p->records, &p->capacity, st);
     return !st->code;
 }
@@ -41,18 +41,18 @@ static void sample_trace(tr_play *p) {
                (p->traced[t].a != r->a || p->traced[t].b != r->b))
             t++;
         if (t == TR_PLAY_TRACES) continue;
-        p->traced[t] = (tr_scene_pick){r->a, r->b};
+        p->traced[t] = (tr_contact_id){r->a, r->b};
         p->point[t][p->n][0] = r->x, p->point[t][p->n][1] = r->y;
     }
 }
 
-static tr_scene_pick shown(const tr_play *p) {
-    const tr_scene_picks *picks = &p->scene->output.contact;
-    return picks->n ? picks->item[0] : (tr_scene_pick){0};
+static tr_contact_id shown(const tr_play *p) {
+    const tr_contact_ids *picks = &p->scene->output.contact;
+    return picks->n ? picks->item[0] : (tr_contact_id){0};
 }
 
 static const tr_record *curve_contact(const tr_play *p) {
-    tr_scene_pick pick = shown(p);
+    tr_contact_id pick = shown(p);
     for (int i = 0; i < p->n_records; i++)
         if (pick.a == pick.b || (p->records[i].a == pick.a && p->records[i].b == pick.b)) return &p->records[i];
     return NULL;
@@ -83,7 +83,7 @@ static void sample_curve(tr_play *p) {
 
 static bool sample(tr_play *p, tr_status *st) {
     if (!tr_run_is_due(p->n, p->samples, p->at, p->b.steps)) return true;
-    if (!tr_play_look(p, st)) return false;
+    if (!tr_play_observe(p, st)) return false;
     p->time[p->n] = tr_play_time(p);
     sample_trace(p);
     sample_curve(p);
@@ -95,7 +95,7 @@ static bool sample(tr_play *p, tr_status *st) {
 static bool check(tr_play *p, tr_status *st) {
     if (!p->scene->n_checks) return true;
     bool contacts = tr_checks_need_contacts(&p->checks, tr_play_time(p), p->b.world.dt);
-    if (contacts && !tr_play_look(p, st)) return false;
+    if (contacts && !tr_play_observe(p, st)) return false;
     tr_checks_step(&p->checks, &p->b, p->records, contacts ? p->n_records : 0);
     return true;
 }
@@ -104,7 +104,7 @@ bool tr_play_to(tr_play *p, int64_t step, tr_status *st) {
     while (p->at < step) {
         if (p->at >= 0) tr_bodies_advance(&p->b);
         if (!tr_step_forces(&p->b.world, st)) return false;
-        if (p->recorder.paths.picks.n && !tr_recorder_step(&p->recorder, st)) return false;
+        if (p->recorder.paths.contacts.n && !tr_recorder_step(&p->recorder, st)) return false;
         if (p->inset.solver && !tr_inset_step(&p->inset, tr_recorder_now(&p->recorder, 0), st)) return false;
         p->at++;
         if (!sample(p, st) || !check(p, st)) return false;

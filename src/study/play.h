@@ -21,13 +21,13 @@ typedef struct tr_play {
     tr_recorder recorder;
     tr_inset inset;
     int64_t at;         /* steps taken; -1: the forces of time 0 are still missing */
-    tr_record *records; /* of the last tr_play_look */
+    tr_record *records; /* of the last tr_play_observe */
     int n_records, capacity;
     int samples, n; /* of the past: asked, taken */
     double time[TR_PLAY_SAMPLES], value[2][TR_PLAY_SAMPLES];
     double creepage; /* end of its axis: 1.5 times its largest value while the contact sticks somewhere; beyond,
                       * creepage has no meaning */
-    tr_scene_pick traced[TR_PLAY_TRACES];
+    tr_contact_id traced[TR_PLAY_TRACES];
     double point[TR_PLAY_TRACES][TR_PLAY_SAMPLES][2];
     double trace[TR_PLAY_TRACES * (TR_PLAY_SAMPLES + 1) * 2]; /* the points one behind the other, as frames want them */
     tr_marks marks;
@@ -42,14 +42,14 @@ void tr_play_close(tr_play *p);
 bool tr_play_to(tr_play *p, int64_t step, tr_status *st);
 
 /* Fills in records. */
-bool tr_play_look(tr_play *p, tr_status *st);
+bool tr_play_observe(tr_play *p, tr_status *st);
 
 double tr_play_time(const tr_play *p);
 
 /* The angle by which a picture is turned so that gravity points down; 0 without gravity [rad]. */
 double tr_play_tilt(const tr_play *p);
 
-/* After tr_play_look: the contents of a frame, except its box. */
+/* After tr_play_observe: the contents of a frame, except its box. */
 tr_show_lane tr_play_lane(tr_play *p);
 
 #endif

@@ -3,7 +3,7 @@
 
 #include "core/record.h"
 #include "out/table.h"
-#include "scene/pick.h"
+#include "scene/contact_name.h"
 #include "study/schedule.h"
 #include <math.h>
 #include <stdlib.h>
@@ -13,27 +13,27 @@ static const double TOLERANCE = 1.0 / 500;
 enum { P = 2, CHANNELS = TR_PATH_CHANNELS };
 
 bool tr_recorder_wants_most(const tr_scene *scene) {
-    const tr_scene_picks *picks = &scene->output.paths;
+    const tr_contact_ids *picks = &scene->output.paths;
     for (int k = 0; k < picks->n; k++)
         if (picks->item[k].a == picks->item[k].b) return true;
     return false;
 }
 
-tr_scene_pick tr_recorder_most(tr_world *world, tr_status *st) {
+tr_contact_id tr_recorder_most(tr_world *world, tr_status *st) {
     tr_record *records = NULL;
     int capacity = 0, n = tr_record_all(world, &records, &capacity, st);
-    tr_scene_pick most = {0};
+    tr_contact_id most = {0};
     double largest = 0;
     for (int i = 0; i < n; i++)
         if (records[i].mobilisation > largest)
-            largest = records[i].mobilisation, most = (tr_scene_pick){records[i].a, records[i].b};
+            largest = records[i].mobilisation, most = (tr_contact_id){records[i].a, records[i].b};
     free(records);
     return most;
 }
 
-bool tr_recorder_open(tr_recorder *r, const tr_scene *scene, tr_scene_pick most, tr_world *world, const char *dir,
+bool tr_recorder_open(tr_recorder *r, const tr_scene *scene, tr_contact_id most, tr_world *world, const char *dir,
                       const char *prefix, int64_t total, bool resume, tr_run_report *report, tr_status *st) {
-    const tr_scene_picks *picks = &scene->output.paths;
+    const tr_contact_ids *picks = &scene->output.paths;
     bool (*open)(tr_file *, const char *, const char *, tr_status *) = resume ? tr_file_reopen : tr_file_open;
     *r = (tr_recorder){.shape = scene->shape, .total = total, .world = world, .dt = world->dt, .report = report};
     r->n_rows = scene->output.path_rows > total ? (int)total + 1 : scene->output.path_rows;
@@ -41,22 +41,22 @@ bool tr_recorder_open(tr_recorder *r, const tr_scene *scene, tr_scene_pick most,
     if (r->paths.all && !open(&r->all, dir, "paths.csv", st)) return false;
     if (picks->n && !tr_dir_make(dir, "paths", st)) return false;
     for (int k = 0; k < picks->n; k++) {
-        tr_scene_pick pick = picks->item[k];
-        char name[TR_PICK_NAME], file[TR_PICK_NAME + 16];
-        tr_scene_pick_name(pick, name);
+        tr_contact_id pick = picks->item[k];
+        char name[TR_CONTACT_NAME], file[TR_CONTACT_NAME + 16];
+        tr_contact_name_write(pick, name);
         snprintf(file, sizeof file, "paths/%s%s.csv", prefix, name);
         if (pick.a == pick.b) {
             pick = most;
-            tr_scene_pick_name(pick, name);
+            tr_contact_name_write(pick, name);
             if (pick.a == pick.b) {
                 tr_run_note(report, "no path of most-mobilised: no contact has friction at the end");
                 continue;
             }
             tr_run_note(report, "most-mobilised is %s; the case was run twice to find it", name);
         }
-        int n = r->paths.picks.n;
+        int n = r->paths.contacts.n;
         if (!open(&r->item[n].file, dir, file, st)) return false;
-        r->paths.picks.item[r->paths.picks.n++] = pick;
+        r->paths.contacts.item[r->paths.contacts.n++] = pick;
     }
     if (picks->n || r->paths.all) tr_paths_attach(world, &r->paths);
     return true;
@@ -64,8 +64,8 @@ bool tr_recorder_open(tr_recorder *r, const tr_scene *scene, tr_scene_pick most,
 
 void tr_recorder_checkpoint(tr_recorder *r, tr_checkpoint *c) {
     TR_KEEP(c, &r->steps, 1);
-    TR_KEEP_NUMBERS(c, r->paths.now, r->paths.picks.n);
-    for (int k = 0; k < r->paths.picks.n; k++) {
+    TR_KEEP_NUMBERS(c, r->paths.now, r->paths.contacts.n);
+    for (int k = 0; k < r->paths.contacts.n; k++) {
         struct tr_recorded *item = &r->item[k];
         TR_KEEP(c, item->row, CHANNELS);
         TR_KEEP(c, item->before, CHANNELS);
@@ -138,7 +138,7 @@ bool tr_recorder_step(tr_recorder *r, tr_status *st) {
     r->steps++;
     bool ok = true;
     if (r->paths.all && tr_run_is_due(r->rows, r->n_rows, r->steps - 1, r->total)) ok = write_all(r, st);
-    for (int k = 0; ok && k < r->paths.picks.n; k++) ok = look(r, &r->item[k], tr_paths_take(&r->paths, k), st);
+    for (int k = 0; ok && k < r->paths.contacts.n; k++) ok = look(r, &r->item[k], tr_paths_take(&r->paths, k), st);
     return ok;
 }
 
@@ -156,10 +156,10 @@ void tr_recorder_close(tr_recorder *r, tr_status *st) {
     if (r->rows && r->paths.taken < r->paths.lives)
         tr_run_note(r->report, "paths.csv has %lld contacts, of %lld; the others touched only between two instants",
                     (long long)r->paths.taken, (long long)r->paths.lives);
-    for (int k = 0; k < r->paths.picks.n; k++) {
+    for (int k = 0; k < r->paths.contacts.n; k++) {
         struct tr_recorded *c = &r->item[k];
-        char name[TR_PICK_NAME];
-        tr_scene_pick_name(r->paths.picks.item[k], name);
+        char name[TR_CONTACT_NAME];
+        tr_contact_name_write(r->paths.contacts.item[k], name);
         size_t used = strlen(apart);
         if (!c->touched) snprintf(apart + used, sizeof apart - used, " %s", name);
         bool whole =

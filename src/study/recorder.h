@@ -51,24 +51,24 @@ typedef struct tr_recorder {
         double low[TR_PATH_CHANNELS], high[TR_PATH_CHANNELS];
         int64_t row_step;
         bool touched;
-    } item[TR_MAX_PICKS];
+    } item[TR_MAX_CONTACT_IDS];
 } tr_recorder;
 
 /* total: steps of the run, for path_rows. most: the contact of most-mobilised; a == b: none. prefix: of the
  * names of the files. The recorder must not move until it is closed. */
-bool tr_recorder_open(tr_recorder *r, const tr_scene *scene, tr_scene_pick most, tr_world *world, const char *dir,
+bool tr_recorder_open(tr_recorder *r, const tr_scene *scene, tr_contact_id most, tr_world *world, const char *dir,
                       const char *prefix, int64_t total, bool resume, tr_run_report *report, tr_status *st);
 /* After it; resume: the files continue. */
 void tr_recorder_checkpoint(tr_recorder *r, tr_checkpoint *c);
 bool tr_recorder_step(tr_recorder *r, tr_status *st);  /* after every tr_step_forces */
 void tr_recorder_close(tr_recorder *r, tr_status *st); /* after any end of the run: rows are complete */
 
-/* The present state of contact k of paths.picks. */
+/* The present state of contact k of paths.contacts. */
 tr_path_point tr_recorder_now(const tr_recorder *r, int k);
 
 /* The scene asks for the most mobilised contact. It is known only at the end, so a first run with the same bits finds
  * it. Among equals it is the first in contacts.csv. */
 bool tr_recorder_wants_most(const tr_scene *scene);
-tr_scene_pick tr_recorder_most(tr_world *world, tr_status *st);
+tr_contact_id tr_recorder_most(tr_world *world, tr_status *st);
 
 #endif

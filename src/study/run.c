@@ -4,7 +4,7 @@
 #include "base/checkpoint.h"
 #include "laws/law.h"
 #include "out/dir.h"
-#include "out/made.h"
+#include "out/manifest.h"
 #include "out/summary.h"
 #include "out/summary_read.h"
 #include "scene/write.h"
@@ -34,7 +34,7 @@ static bool run(const tr_scene *scene, const tr_run_options *options, tr_run_rep
     if (finished(scene, options, st)) {
         char path[TR_PATH];
         bool ours;
-        if (!tr_made_listed(options->dir, TR_CHECKPOINT, &ours, st)) return false;
+        if (!tr_manifest_lists(options->dir, TR_CHECKPOINT, &ours, st)) return false;
         if (ours) tr_run_remove_checkpoint(options->dir, report); /* if the run was killed right before */
         tr_run_note(report, "nothing to resume: this run is finished");
         return tr_dir_path(path, options->dir, "summary.json", st) && tr_summary_failed(path, &report->failed, st);

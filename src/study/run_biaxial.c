@@ -43,7 +43,7 @@ typedef struct test {
     tr_view view;   /* equal in all frames */
     char title[TR_RUN_TITLE];
     bool rehearsal; /* a run without outputs, which finds: */
-    tr_scene_pick most;
+    tr_contact_id most;
     bool shearing;        /* compaction is over */
     tr_checkpoint resume; /* loading: the place to continue; used when the run gets there */
     double saved;         /* when the last checkpoint was made [s] */
@@ -54,7 +54,7 @@ typedef struct test {
 } test;
 
 /* {0, 0} stands for none. */
-static bool is_contact(tr_scene_pick pick, const tr_scene *scene) {
+static bool is_contact(tr_contact_id pick, const tr_scene *scene) {
     int n = scene->sample.disks;
     return pick.a >= -4 && pick.a < n && pick.b >= 0 && pick.b < n; /* -1 - wall, of four */
 }
@@ -235,8 +235,8 @@ static bool look(test *t, unsigned due, tr_status *st) {
 static bool open_inset(test *t, tr_status *st) {
     const tr_paths *paths = &t->out.recorder.paths;
     tr_status why = {0};
-    if (!t->scene->output.frames || !paths->picks.n) return true;
-    if (tr_inset_open(&t->inset, &t->b.world, paths->picks.item[0], &why)) return true;
+    if (!t->scene->output.frames || !paths->contacts.n) return true;
+    if (tr_inset_open(&t->inset, &t->b.world, paths->contacts.item[0], &why)) return true;
     if (why.code == TR_FILE) return tr_status_fail(st, TR_FILE, "%s", why.text);
     tr_run_note(t->report, "no inset in the frames: it needs a contact of two disks, and laws with mu and E_star");
     return true;
@@ -274,7 +274,7 @@ static bool prepare(test *t, tr_status *st) {
     bool compacted = t->shearing;
     tr_run_report *report = t->report;
     if (!tr_biaxial_init(&t->b, t->scene, st)) return false;
-    if (!tr_run_share(t->options, &t->b.world, st)) return false;
+    if (!tr_run_threads(t->options, &t->b.world, st)) return false;
     bool begun = t->resume.loading;
     if (!compacted && !(resume(t) && pack(t, begun, st))) return false;
     if (!tr_biaxial_begin_shear(&t->b, st)) return false;
@@ -325,14 +325,14 @@ static const char *why_made(const tr_law *law, int rolling_velocity) {
 
 /* Rounding and thin contacts stay far below 1 % of the work. */
 static void report_made(test *t) {
-    static const char *const slot_name[TR_N_SLOTS] = {"normal", "friction", "rolling"};
+    static const char *const law_kind_name[TR_N_LAW_KINDS] = {"normal", "friction", "rolling"};
     const tr_energy *e = &t->energy;
-    const double net[TR_N_SLOTS] = {e->damped, e->friction, e->rolling}, work = fabs(e->work);
-    for (int k = 0; k < TR_N_SLOTS; k++) {
-        const tr_law *law = t->b.world.group[0].slot[k].law;
+    const double net[TR_N_LAW_KINDS] = {e->damped, e->friction, e->rolling}, work = fabs(e->work);
+    for (int k = 0; k < TR_N_LAW_KINDS; k++) {
+        const tr_law *law = t->b.world.group[0].laws[k].law;
         if (!(e->made[k] > 0.01 * work)) continue;
         tr_run_note(t->report, "the %s law %s made energy: %.3g times the work of the walls (net it took %.3g); %s",
-                    slot_name[k], law->table.name, e->made[k] / work, net[k] / work,
+                    law_kind_name[k], law->table.name, e->made[k] / work, net[k] / work,
                     why_made(law, t->b.world.rolling_velocity));
     }
 }
@@ -395,7 +395,7 @@ static bool summarise(test *t, double started, double updates_per_s, tr_status *
     snprintf(caption, sizeof caption, "%d disks, seed %llu, I = %g, stiffness ratio %g, %s, rolling velocity %s",
              scene->sample.disks, (unsigned long long)scene->seed, scene->shear.inertial_number,
              tr_biaxial_stiffness(&t->b, scene->shear.lateral_pressure) / scene->shear.lateral_pressure,
-             t->b.world.group[0].slot[TR_ROLLING].law->table.name,
+             t->b.world.group[0].laws[TR_ROLLING].law->table.name,
              tr_rolling_velocities[scene->contact.rolling_velocity].name);
     if (scene->output.curves && !tr_plot_available())
         tr_run_note(t->report, "no curves: gnuplot is not installed; history.csv has the numbers");

@@ -9,7 +9,7 @@
 #include "base/alloc.h"
 #include "draw/canvas.h"
 #include "out/summary.h"
-#include "out/made.h"
+#include "out/manifest.h"
 #include "study/clock.h"
 #include "study/film.h"
 #include "study/open.h"
@@ -32,7 +32,7 @@ typedef struct show {
     tr_cast cast;
     bool rehearsal, has_still;
     tr_view_box view;
-    tr_scene_pick most[TR_MAX_LANES];
+    tr_contact_id most[TR_MAX_LANES];
     tr_check_result result[TR_MAX_LANES * TR_MAX_CHECKS];
     int n_results;
 } show;
@@ -57,7 +57,7 @@ static bool open_plays(show *s, tr_status *st) {
         s->cast.play[i] = tr_alloc(1, sizeof *s->cast.play[i], st);
         if (!s->cast.play[i] || !tr_play_open(s->cast.play[i], scene_of(s, i), s->scene->output.curve, st))
             return false;
-        if (!tr_run_share(s->options, &s->cast.play[i]->b.world, st)) return false;
+        if (!tr_run_threads(s->options, &s->cast.play[i]->b.world, st)) return false;
         if (s->cast.play[i]->b.steps > s->cast.play[s->cast.leader]->b.steps) s->cast.leader = i;
     }
     return true;
@@ -66,7 +66,7 @@ static bool open_plays(show *s, tr_status *st) {
 static bool keep_still(show *s, tr_status *st) {
     char path[TR_PATH];
     s->has_still = true;
-    if (!tr_dir_path(path, s->options->dir, "still.png", st) || !tr_made_add(s->options->dir, "still.png", st))
+    if (!tr_dir_path(path, s->options->dir, "still.png", st) || !tr_manifest_add(s->options->dir, "still.png", st))
         return false;
     tr_canvas *canvas = tr_canvas_create(st);
     if (!canvas) return false;
@@ -106,7 +106,7 @@ static bool look(show *s, unsigned due, tr_status *st) {
     double start = tr_run_clock();
     for (int i = 0; i < s->cast.n; i++) {
         tr_play *p = s->cast.play[i];
-        if (!tr_play_look(p, st)) return false;
+        if (!tr_play_observe(p, st)) return false;
         if (s->rehearsal) tr_picture_widen(&s->view, p);
     }
     if (s->rehearsal) return s->out.film.frames++, true;
@@ -195,8 +195,8 @@ static bool open_outputs(show *s, tr_status *st) {
                               s->report, st))
             return false;
         tr_status why = {0};
-        if (s->scene->output.frames && p->recorder.paths.picks.n)
-            tr_inset_open(&p->inset, &p->b.world, p->recorder.paths.picks.item[0], &why);
+        if (s->scene->output.frames && p->recorder.paths.contacts.n)
+            tr_inset_open(&p->inset, &p->b.world, p->recorder.paths.contacts.item[0], &why);
     }
     return true;
 }

@@ -71,7 +71,7 @@ static double law_value(const chosen *of, const char *key) {
     return value ? *value : 0;
 }
 
-static void choose(const tr_scene *s, chosen slot[TR_N_SLOTS]) {
+static void choose(const tr_scene *s, chosen slot[TR_N_LAW_KINDS]) {
     slot[TR_NORMAL] = (chosen){tr_laws_normal[s->contact.normal.law], s->contact.normal.par};
     slot[TR_FRICTION] = (chosen){tr_laws_friction[s->contact.friction.law], s->contact.friction.par};
     slot[TR_ROLLING] = (chosen){tr_laws_rolling[s->contact.rolling.law], s->contact.rolling.par};
@@ -86,7 +86,7 @@ typedef struct item {
 /* The first key that differs from the measured case; NULL: none. */
 static const item *elsewhere(const tr_biaxial *b, item *list) {
     const tr_scene *s = b->scene;
-    chosen slot[TR_N_SLOTS];
+    chosen slot[TR_N_LAW_KINDS];
     choose(s, slot);
     const chosen *normal = &slot[TR_NORMAL], *friction = &slot[TR_FRICTION], *rolling = &slot[TR_ROLLING];
     double k_n = law_value(normal, "k_n"), k_t = law_value(friction, "k_t"), mu_r = law_value(rolling, "mu_r");
@@ -158,7 +158,7 @@ int tr_spread_seeds(double half, double aim) {
 
 tr_accuracy tr_spread_of(const tr_biaxial *b) {
     tr_accuracy a = {0};
-    chosen slot[TR_N_SLOTS];
+    chosen slot[TR_N_LAW_KINDS];
     choose(b->scene, slot);
     const char *friction = slot[TR_FRICTION].law->table.name;
     double mu_r = law_value(&slot[TR_ROLLING], "mu_r"), I = b->scene->shear.inertial_number;

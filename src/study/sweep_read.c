@@ -6,7 +6,7 @@
 #include "base/math.h"
 
 #include "base/alloc.h"
-#include "study/sweep_twice.h"
+#include "study/sweep_duplicates.h"
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -311,7 +311,7 @@ bool tr_grid_read(tr_grid *g, const char *path, bool many, tr_status *st) {
     if (kind && kind->type == TR_NODE_VALUE && strcmp(kind->text, "sweep") != 0)
         return tr_text_fail(st, kind->mark, "this is not a sweep, `kind: sweep`; trundle run runs a single case");
     return check_keys(&r, g->root, keys, "a sweep") && text_of(&r, kind, g->root, "kind", "sweep") && read_base(&r) &&
-           read_axes(&r) && count_points(&r) && read_compare(&r) && read_collect(&r) && tr_grid_check_twice(g, st);
+           read_axes(&r) && count_points(&r) && read_compare(&r) && read_collect(&r) && tr_grid_check_duplicates(g, st);
 }
 
 void tr_grid_free(tr_grid *g) {

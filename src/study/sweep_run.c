@@ -10,7 +10,7 @@
 #include "base/alloc.h"
 #include "base/hash.h"
 #include "out/dir.h"
-#include "out/made.h"
+#include "out/manifest.h"
 #include "study/packing.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -117,7 +117,7 @@ static bool begin(runner *r, job *free_job, int point) {
     order what = {.begun = r->state[point - r->o->first] == TR_POINT_BEGUN};
     tr_grid_name(r->g, point, name);
     snprintf(log, sizeof log, "%s/log", name);
-    if (!tr_dir_make(r->o->dir, name, r->st) || !tr_made_add(r->o->dir, log, r->st) ||
+    if (!tr_dir_make(r->o->dir, name, r->st) || !tr_manifest_add(r->o->dir, log, r->st) ||
         !tr_dir_path(what.path, r->o->dir, name, r->st) ||
         !tr_dir_path(what.log, what.path, "log", r->st) || !name_sample(r, point, what.sample))
         return false;
@@ -193,8 +193,8 @@ static bool look(runner *r, int *missing) {
 /* Tables that would be overwritten are found before the first point runs. */
 static bool claim(const runner *r) {
     const char *dir = r->o->dir;
-    return tr_dir_make(dir, ".", r->st) && tr_made_add(dir, "points.csv", r->st) &&
-           tr_made_add(dir, "collect.csv", r->st);
+    return tr_dir_make(dir, ".", r->st) && tr_manifest_add(dir, "points.csv", r->st) &&
+           tr_manifest_add(dir, "collect.csv", r->st);
 }
 
 static const char *const again[TR_POINT_FINISHED] = {

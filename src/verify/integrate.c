@@ -72,7 +72,7 @@ static bool compose(tr_world *world, int64_t n, int stages, const double *drift,
 
 static bool conserves(const tr_world *world, tr_status *st) {
     for (int k = 0; k < 2; k++) {
-        const tr_slot *slot = world->group[k].slot;
+        const tr_group_law *slot = world->group[k].laws;
         const double *damping = tr_law_value(slot[TR_NORMAL].law, slot[TR_NORMAL].par, "damping_ratio");
         if (slot[TR_FRICTION].law->step || slot[TR_ROLLING].law->step || (damping && *damping > 0))
             return tr_status_fail(

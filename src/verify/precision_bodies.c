@@ -31,10 +31,10 @@ static const double *position(const tr_bodies *b, int i) {
 }
 
 static double value(const tr_bodies *b, const tr_law *law, int slot, const char *key) {
-    return *tr_law_value(law, b->world.group[b->scene->n_walls > 0].slot[slot].par, key);
+    return *tr_law_value(law, b->world.group[b->scene->n_walls > 0].laws[slot].par, key);
 }
 static double parameter(const tr_bodies *b, int slot, const char *key) {
-    return value(b, b->world.group[b->scene->n_walls > 0].slot[slot].law, slot, key);
+    return value(b, b->world.group[b->scene->n_walls > 0].laws[slot].law, slot, key);
 }
 
 /* ---- impacts */

@@ -187,8 +187,8 @@ static void stretch(tr_network *net) {
             int a = k ? -1 : g->a[i], b = g->b[i];
             slips way = slips_of(net, a, b, k ? 0 : net->w.disks.pos[4 * a + 3], net->w.disks.pos[4 * b + 3]);
             const double huge = 1e3 * net->k_n * SMALLEST;
-            g->hist[g->slot[TR_FRICTION].hist][i] = way.friction * huge;
-            g->hist[g->slot[TR_ROLLING].hist][i] = way.rolling * huge;
+            g->hist[g->laws[TR_FRICTION].hist][i] = way.friction * huge;
+            g->hist[g->laws[TR_ROLLING].hist][i] = way.rolling * huge;
         }
     }
 }

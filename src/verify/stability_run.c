@@ -50,10 +50,10 @@ bool tr_stability_readable(tr_world *world) {
 static void add_elastic(void *context, tr_group *g, tr_tile *tile) {
     double *sum = context;
     tr_lane energy, bound;
-    for (int s = 0; s < TR_N_SLOTS; s++) {
-        if (!g->slot[s].law->step) continue;
-        tr_law_data data = tr_group_data(g, &g->slot[s]);
-        g->slot[s].law->state(tile, &data, energy, bound);
+    for (int s = 0; s < TR_N_LAW_KINDS; s++) {
+        if (!g->laws[s].law->step) continue;
+        tr_law_data data = tr_group_data(g, &g->laws[s]);
+        g->laws[s].law->state(tile, &data, energy, bound);
         for (int i = 0; i < tile->n; i++)
             if (tile->delta[i] > 0) *sum += energy[i];
     }

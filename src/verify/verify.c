@@ -3,7 +3,7 @@
 
 #include "base/alloc.h"
 #include "laws/law.h"
-#include "out/made.h"
+#include "out/manifest.h"
 #include "out/table.h"
 #include "scene/what.h"
 #include "study/checks.h"
@@ -127,7 +127,8 @@ static void put_point(FILE *f, const struct tr_verify_pointed *p) {
 }
 
 bool tr_verify_claim(const char *dir, tr_status *st) {
-    return tr_dir_make(dir, ".", st) && tr_made_add(dir, "verify.csv", st) && tr_made_add(dir, "points.csv", st);
+    return tr_dir_make(dir, ".", st) && tr_manifest_add(dir, "verify.csv", st) &&
+           tr_manifest_add(dir, "points.csv", st);
 }
 
 bool tr_verify_write(const tr_verify *v, const char *dir, tr_status *st) {

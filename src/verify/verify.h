@@ -99,7 +99,7 @@ struct tr_verify {
 bool tr_verify_run(tr_verify *v, const tr_verification *which, tr_status *st);
 void tr_verify_free(tr_verify *v);
 
-/* Makes DIR and lists the tables, before the first verification runs. TR_FILE: see out/made.h. */
+/* Makes DIR and lists the tables, before the first verification runs. TR_FILE: see out/manifest.h. */
 bool tr_verify_claim(const char *dir, tr_status *st);
 
 /* DIR/verify.csv and, if there are points, DIR/points.csv. */

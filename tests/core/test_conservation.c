@@ -170,8 +170,8 @@ static void rigid_rotation_dissipates_nothing(const char *arms) {
     const tr_group *g = &w.group[0];
     double largest_Q = 0, largest_T = 0, normal = 0;
     for (int i = 0; i < g->n; i++) {
-        largest_Q = fmax(largest_Q, fabs(g->hist[g->slot[TR_FRICTION].hist][i]));
-        largest_T = fmax(largest_T, fabs(g->hist[g->slot[TR_ROLLING].hist][i]));
+        largest_Q = fmax(largest_Q, fabs(g->hist[g->laws[TR_FRICTION].hist][i]));
+        largest_T = fmax(largest_T, fabs(g->hist[g->laws[TR_ROLLING].hist][i]));
     }
     for (int i = 0; i < 4 * M; i++) normal = fmax(normal, fabs(w.disks.force[i]));
     assert_true(g->n >= 40 && w.contact_updates / STEPS >= 40 && normal > 100);

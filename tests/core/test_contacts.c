@@ -197,7 +197,7 @@ static void test_histories_follow_their_pair(void **state) {
         }
         forces(&w);
         const tr_group *g = &w.group[0], *h = &w.group[1];
-        const double *Q_disks = g->hist[g->slot[TR_FRICTION].hist], *Q_walls = h->hist[h->slot[TR_FRICTION].hist];
+        const double *Q_disks = g->hist[g->laws[TR_FRICTION].hist], *Q_walls = h->hist[h->laws[TR_FRICTION].hist];
         int i = listed(g, 2, 7), j = listed(h, 1, 4);
         assert_true(i >= 0 && j >= 0);
         places[0] += i != last[0], last[0] = i;
@@ -211,11 +211,11 @@ static void test_histories_follow_their_pair(void **state) {
         Qw += 2e3 * Vw * dt, Tw += 3e3 * 0.5 * (0.05 - 0.2 - 0.01 * 0.4) * dt;
         /* 3000 sums */
         assert_close(Q_disks[i], Q, 1e-11, 1e-12);
-        assert_close(g->hist[g->slot[TR_ROLLING].hist][i], T, 1e-11, 1e-12);
+        assert_close(g->hist[g->laws[TR_ROLLING].hist][i], T, 1e-11, 1e-12);
         assert_close(g->hist[g->arcs_sink.hist][i], da, 1e-11, 1e-15);
         assert_close(g->hist[g->arcs_sink.hist + 1][i], db, 1e-11, 1e-15);
         assert_close(Q_walls[j], Qw, 1e-11, 1e-12);
-        assert_close(h->hist[h->slot[TR_ROLLING].hist][j], Tw, 1e-11, 1e-12);
+        assert_close(h->hist[h->laws[TR_ROLLING].hist][j], Tw, 1e-11, 1e-12);
         /* Disk 3, at rest, against 2 (arm 2/3 of 0.0295, spin 0.3) or against the wall: at most the path of the steps
          * since it came, which is also kept while it stays. */
         int m = listed(g, 2, 3), n = listed(h, 1, 3);
@@ -251,8 +251,8 @@ static void test_histories_survive_growth(void **state) {
     for (int i = 0; i < ALL; i++) { /* t = (1, 0): Vs = 0.2, V_r = 0.1; 11 sums */
         double path = w.dt * (i % 5 == 4 ? 11 : 1);
         assert_int_equal(g->b[i], i);
-        assert_close(g->hist[g->slot[TR_FRICTION].hist][i], 2e3 * 0.2 * path, 1e-13, 0);
-        assert_close(g->hist[g->slot[TR_ROLLING].hist][i], 3e3 * 0.1 * path, 1e-13, 0);
+        assert_close(g->hist[g->laws[TR_FRICTION].hist][i], 2e3 * 0.2 * path, 1e-13, 0);
+        assert_close(g->hist[g->laws[TR_ROLLING].hist][i], 3e3 * 0.1 * path, 1e-13, 0);
         assert_close(w.disks.force[4 * i + 1], 1e3 * 0.0001, 1e-12, 1e-15 * 1e3); /* difference of numbers 0.01 */
         assert_true(g->pair[0][i] == 0 && g->pair[1][i] == 0.01 && g->pair[2][i] == 1);
     }
@@ -275,7 +275,7 @@ static void test_a_failed_renewal_leaves_the_lists(void **state) {
     set_velocity(&w, 3, 0, 0, 1);
     steps(&w, 3);
     const tr_group *g = &w.group[0];
-    double Q = g->hist[g->slot[TR_FRICTION].hist][listed(g, 2, 3)];
+    double Q = g->hist[g->laws[TR_FRICTION].hist][listed(g, 2, 3)];
     assert_true(Q != 0);
     pos[0] = pos[4] - 0.0209, pos[1] = 0; /* 0-1 would come first */
     w.wall[0].y = -0.001, w.stale = true;
@@ -283,7 +283,7 @@ static void test_a_failed_renewal_leaves_the_lists(void **state) {
     assert_non_null(strstr(st.text, "contact of wall 0 with disk"));
     for (int i = 0; i < g->n; i++) {
         assert_true(g->pair[0][i] == pos[4 * g->a[i] + 3] && g->pair[1][i] == pos[4 * g->b[i] + 3]);
-        assert_true(g->hist[g->slot[TR_FRICTION].hist][i] == (g->a[i] == 2 ? Q : 0));
+        assert_true(g->hist[g->laws[TR_FRICTION].hist][i] == (g->a[i] == 2 ? Q : 0));
     }
     tr_world_free(&w);
 }

@@ -53,19 +53,19 @@ static void rolling_step(tr_tile *t, const tr_law_data *data) {
     }
 }
 
-static tr_law plain[TR_N_SLOTS] = {
+static tr_law plain[TR_N_LAW_KINDS] = {
     {.step = normal_step, .stiffness = stiffness, .elastic = elastic},
     {.n_hist = 1, .step = friction_step, .stiffness = stiffness},
     {.n_hist = 1, .step = rolling_step, .stiffness = stiffness},
 };
 
-static void set_plain(tr_world *w, const par p[TR_N_SLOTS]) {
+static void set_plain(tr_world *w, const par p[TR_N_LAW_KINDS]) {
     static const char *const pass[] = {"normal", "friction", "rolling"};
     set_laws(w, (test_laws){.k_n = 1, .mu = 1, .k_t = 1, .mu_r = 1, .k_r = 1}, 0); /* a pipeline of the same shape */
     tr_group *g = &w->group[0];
-    for (int s = 0; s < TR_N_SLOTS; s++) {
-        g->slot[s].law = &plain[s];
-        memcpy(g->slot[s].par, &p[s], sizeof p[s]);
+    for (int s = 0; s < TR_N_LAW_KINDS; s++) {
+        g->laws[s].law = &plain[s];
+        memcpy(g->laws[s].par, &p[s], sizeof p[s]);
         for (int k = 0; k < g->n_pass; k++)
             if (!strcmp(g->pass[k].name, pass[s])) g->pass[k].run = plain[s].step;
     }
@@ -91,7 +91,7 @@ static void add(matrices *m, const tr_world *w, const par *p, int a, int b, cons
 }
 
 /* Vn = V21.n, Vt = V21.t with t = (n_y, -n_x), Vs = Vt + r1 w1 + r2 w2, V_r = lever1 w1 - lever2 w2 + along Vt. */
-static void assemble(matrices *m, const tr_world *w, const par p[TR_N_SLOTS]) {
+static void assemble(matrices *m, const tr_world *w, const par p[TR_N_LAW_KINDS]) {
     memset(m, 0, sizeof *m), m->n = 3 * w->disks.n;
     for (int a = 0; a < w->disks.n; a++)
         for (int b = a + 1; b < w->disks.n; b++) {
@@ -147,7 +147,7 @@ static double exact_limit(const matrices *m, double near) {
 
 static const double R[2] = {0.01, 0.004}, LAP = 1e-9; /* LAP: arms are those of the bound to 1e-7 */
 
-static void new_pair(tr_world *w, const par p[TR_N_SLOTS]) {
+static void new_pair(tr_world *w, const par p[TR_N_LAW_KINDS]) {
     new_world(w, 2);
     tr_world_set_disk(w, 0, 0, 0, 0, R[0], 1000, false);
     tr_world_set_disk(w, 1, 0.6 * (R[0] + R[1] - LAP), 0.8 * (R[0] + R[1] - LAP), 0, R[1], 3000, false);
@@ -167,8 +167,8 @@ static const struct {
                 {"sliding and rolling dashpots", 0, 1, 3},
                 {"all three", 1, 0.2, 2}};
 
-static void only_dashpots(par p[TR_N_SLOTS], int i, double eta) {
-    for (int s = 0; s < TR_N_SLOTS; s++) p[s] = (par){.delta = LAP, .lever1 = R_eff(), .lever2 = R_eff()};
+static void only_dashpots(par p[TR_N_LAW_KINDS], int i, double eta) {
+    for (int s = 0; s < TR_N_LAW_KINDS; s++) p[s] = (par){.delta = LAP, .lever1 = R_eff(), .lever2 = R_eff()};
     p[TR_NORMAL].c = eta * dashpots[i].normal, p[TR_FRICTION].c = eta * dashpots[i].slide,
     p[TR_ROLLING].c = eta * dashpots[i].roll;
 }
@@ -178,7 +178,7 @@ static void test_dashpots_alone_bound_the_step(void **state) {
     (void)state;
     for (int i = 0; i < 5; i++)
         for (double eta = 1; eta < 1e7; eta *= 1e3) {
-            par p[TR_N_SLOTS];
+            par p[TR_N_LAW_KINDS];
             tr_world w;
             only_dashpots(p, i, eta);
             new_pair(&w, p);
@@ -220,7 +220,7 @@ static void test_leapfrog_with_dashpots_alone(void **state) {
     (void)state;
     for (int i = 0; i < 5; i++)
         for (int above = 0; above < 2; above++) {
-            par p[TR_N_SLOTS];
+            par p[TR_N_LAW_KINDS];
             tr_world w;
             only_dashpots(p, i, 100);
             new_pair(&w, p);
@@ -236,8 +236,8 @@ static void test_leapfrog_with_dashpots_alone(void **state) {
 }
 
 /* A third of the six numbers are 0. */
-static void random_laws(tr_random *r, par p[TR_N_SLOTS], double frequency) {
-    for (int s = 0; s < TR_N_SLOTS; s++) {
+static void random_laws(tr_random *r, par p[TR_N_LAW_KINDS], double frequency) {
+    for (int s = 0; s < TR_N_LAW_KINDS; s++) {
         double k = pow(10, 4 * tr_random_uniform(r)), c = pow(10, 4 * tr_random_uniform(r)) / frequency;
         p[s] = (par){.k = tr_random_uniform(r) < 0.33 ? 0 : k, .c = tr_random_uniform(r) < 0.33 ? 0 : c, .delta = LAP};
     }
@@ -251,13 +251,13 @@ static void test_any_stiffness_and_dashpot_of_a_pair(void **state) {
     double least = INFINITY;
     int exact = 0;
     for (int k = 0; k < 150; k++) {
-        par p[TR_N_SLOTS];
+        par p[TR_N_LAW_KINDS];
         tr_world w;
         random_laws(&r, p, 100);
         new_pair(&w, p);
         double bound = tr_timestep_contacts(&w).dt;
         if (isinf(bound)) {
-            for (int s = 0; s < TR_N_SLOTS; s++) assert_true(p[s].k == 0 && p[s].c == 0);
+            for (int s = 0; s < TR_N_LAW_KINDS; s++) assert_true(p[s].k == 0 && p[s].c == 0);
             tr_world_free(&w);
             continue;
         }
@@ -285,7 +285,7 @@ static void test_any_stiffness_and_dashpot_of_a_cluster(void **state) {
     (void)state;
     tr_random r = tr_random_seed(7, 1);
     for (int k = 0; k < 40; k++) {
-        par p[TR_N_SLOTS];
+        par p[TR_N_LAW_KINDS];
         tr_world w;
         random_laws(&r, p, 100);
         p[TR_ROLLING].lever2 = p[TR_ROLLING].lever1; /* equal disks: no first and second */

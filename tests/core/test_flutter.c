@@ -53,7 +53,7 @@ static void set_up(tr_world *w, double a, double mu, double k_t) {
     w->dt = 0.1 * tr_timestep_contacts(w).dt;
     w->wall[0].vx = 1e-3 * R / w->dt; /* no disturbance turns it back */
     tr_group *g = &w->group[1];
-    g->hist[g->slot[TR_FRICTION].hist][listed(g, 0, 1)] = -2 * mu * f; /* cut to the bound by the first step */
+    g->hist[g->laws[TR_FRICTION].hist][listed(g, 0, 1)] = -2 * mu * f; /* cut to the bound by the first step */
     w->disks.load = calloc(8, sizeof(double));
     double *load = w->disks.load + 4;
     load[0] = f * cos(a) - mu * f, load[1] = f * sin(a) - f, load[2] = -mu * f * R;

@@ -254,7 +254,7 @@ static void test_dashpot_where_nothing_finite_is_left(void **state) {
         place_pair(&s, &pairs[i], 0.4, 1, 1e-7);
         const tr_world *world = &s.b.world;
         const tr_group *g = &world->group[pairs[i].one < 0];
-        const tr_slot *slot = &g->slot[TR_ROLLING];
+        const tr_group_law *slot = &g->laws[TR_ROLLING];
         tr_pair_bodies bodies = tr_world_pair(world, g, 0, pairs[i].one < 0 ? 0 : 1);
         bodies.f_n = K * LAP;
         tr_stiffness k = slot->law->stiffness(slot->par, &bodies);
@@ -286,7 +286,7 @@ static void test_dashpot_of_a_free_disk_on_a_given_one(void **state) {
             const tr_group *g = &s.b.world.group[0];
             double I1 = densities[d] * M_PI * pow(R1, 4) / 2, I2 = DENSITY * M_PI * pow(R2, 4) / 2;
             double I_r = given[m] == TR_PINNED ? 1 / (1 / I1 + 1 / (3 * I2)) : 3 * I2; /* a pinned one turns too */
-            assert_close(g->pair[g->slot[TR_ROLLING].pair][0], I_r, 1e-14, 0);
+            assert_close(g->pair[g->laws[TR_ROLLING].pair][0], I_r, 1e-14, 0);
             tr_bodies_free(&s.b);
         }
 }

@@ -40,7 +40,7 @@ static void starts_from_balance(tr_boundary boundary, double compaction_mu, doub
     tr_biaxial_state s = tr_biaxial_read(&b);
     double ratio = unbalanced(&b.world), friction = 0;
     const tr_group *g = &b.world.group[0];
-    for (int i = 0; i < g->n; i++) friction = fmax(friction, fabs(g->hist[g->slot[TR_FRICTION].hist][i]));
+    for (int i = 0; i < g->n; i++) friction = fmax(friction, fabs(g->hist[g->laws[TR_FRICTION].hist][i]));
     print_message("%s, mu %g then %g: unbalanced %.1e, stresses %.5g and %.5g\n", boundary ? "cell" : "walls",
                   compaction_mu, mu, ratio, s.stress_1, s.stress_2);
     assert_true(ratio < 10 * AT_REST);

@@ -101,12 +101,12 @@ static void threads_change_no_bit(void **state) {
     for (int periodic = 0; periodic < 2; periodic++) {
         tr_world one, more;
         move(&one, periodic, 1, 1);
-        assert_null(one.shares); /* of the threads: not made for one */
+        assert_null(one.parallel); /* of the threads: not made for one */
         assert_true(one.refreshes > 2 && one.contact_updates > STEPS * ROW * ROW / 2);
         assert_true(one.ledger->made[TR_ROLLING] > 0);
         for (int k = 0; k < 4; k++) {
             move(&more, periodic, threads[k][0], threads[k][1]);
-            assert_true((more.shares != NULL) == (threads[k][0] > 1 || threads[k][1] > 1));
+            assert_true((more.parallel != NULL) == (threads[k][0] > 1 || threads[k][1] > 1));
             assert_same(&one, &more);
             tr_world_free(&more);
         }

@@ -431,7 +431,7 @@ static void test_the_panel_shows_the_contact_that_is_chosen(void **state) {
         for (int k = 0; k < 2; k++) {
             tr_show_lane lane[2] = {hand_lane(h), hand_lane(h)}, alone[2] = {hand_lane(h), hand_lane(h)};
             for (int i = 0; i < 2; i++) {
-                lane[i].contact = (tr_scene_pick){h->record[k].a, h->record[k].b};
+                lane[i].contact = (tr_contact_id){h->record[k].a, h->record[k].b};
                 alone[i].record = &h->record[k], alone[i].n_records = 1;
             }
             tr_show show = hand_show(alone, lanes);
@@ -442,13 +442,13 @@ static void test_the_panel_shows_the_contact_that_is_chosen(void **state) {
             tr_draw_show(canvas, &show);
             /* the point of the other contact is still there, in the picture; lanes have no note */
             assert_int_equal(differ(want, lanes == 1 ? above : (rect){0, 600, W, 660}, 0), 0);
-            lane[0].contact = lane[1].contact = (tr_scene_pick){h->record[!k].a, h->record[!k].b};
+            lane[0].contact = lane[1].contact = (tr_contact_id){h->record[!k].a, h->record[!k].b};
             tr_draw_show(canvas, &show);
             assert_true(differ(want, lanes == 1 ? above : picture, 20) > 100);
             free(want);
         }
     tr_show_lane lane = hand_lane(h), bare = hand_lane(h);
-    lane.contact = (tr_scene_pick){-1, 0};
+    lane.contact = (tr_contact_id){-1, 0};
     bare.n_records = 0;
     tr_show show = hand_show(&bare, 1);
     show.range = 0.1;

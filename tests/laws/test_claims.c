@@ -194,7 +194,7 @@ static void record(const bench *b, int step, felt *f) {
     }
 }
 
-static void walk_part(bench *b, int from, int to, double speed, double W, felt *f) {
+static void walk_thread(bench *b, int from, int to, double speed, double W, felt *f) {
     for (int step = from; step < to; step++) {
         for (int i = 0; i < TR_TILE; i++) drive(b, i, on_path(b, step, i, speed, W));
         run(b, DT * b->u.s / speed);
@@ -203,7 +203,7 @@ static void walk_part(bench *b, int from, int to, double speed, double W, felt *
 }
 
 static void walk(bench *b, double speed, double W, felt *f) {
-    walk_part(b, 0, STEPS, speed, W, f);
+    walk_thread(b, 0, STEPS, speed, W, f);
 }
 
 typedef double table[STEPS][TR_TILE];
@@ -324,7 +324,7 @@ static void balanced(int slot, const tr_law *law) {
     double worst = 0, scale = 0;
     set_up(&A, slot, law, false, SI);
     for (int step = 0; step < STEPS; step++) {
-        walk_part(&A, step, step + 1, 1, 0, &F);
+        walk_thread(&A, step, step + 1, 1, 0, &F);
         const tr_tile *t = &A.tile;
         for (int i = 0; i < TR_TILE; i++) {
             double couple = t->dx[i] * t->fy[i] - t->dy[i] * t->fx[i];
@@ -480,11 +480,11 @@ static void memory(int slot, const tr_law *law) {
     assert_memory_equal(&F, &G, sizeof F);
     int half = STEPS / 2 + 7;
     set_up(&A, slot, law, false, SI), set_up(&B, slot, law, false, SI);
-    walk_part(&A, 0, half, 1, 0, &G);
+    walk_thread(&A, 0, half, 1, 0, &G);
     run(&A, 0);
     record(&A, half - 1, &G);
     memcpy(B.hist, A.hist, sizeof A.hist);
-    walk_part(&B, half, STEPS, 1, 0, &G);
+    walk_thread(&B, half, STEPS, 1, 0, &G);
     assert_memory_equal(&F, &G, sizeof F);
 }
 

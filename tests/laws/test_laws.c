@@ -388,7 +388,7 @@ static void test_stiffness_is_what_the_law_shows(void **state) {
 
 /* ---- the catalog */
 
-static void check_slot(const tr_law *const *laws, const tr_param_table *const *tables, int n) {
+static void check_law_kind(const tr_law *const *laws, const tr_param_table *const *tables, int n) {
     assert_true(n > 0);
     for (int i = 0; i < n; i++) {
         judged[0] = laws[i];
@@ -423,9 +423,9 @@ static void check_slot(const tr_law *const *laws, const tr_param_table *const *t
 static void test_catalog(void **state) {
     (void)state;
     const tr_param_catalog *c = tr_laws_catalog();
-    check_slot(tr_laws_normal, c->normal, c->n_normal);
-    check_slot(tr_laws_friction, c->friction, c->n_friction);
-    check_slot(tr_laws_rolling, c->rolling, c->n_rolling);
+    check_law_kind(tr_laws_normal, c->normal, c->n_normal);
+    check_law_kind(tr_laws_friction, c->friction, c->n_friction);
+    check_law_kind(tr_laws_rolling, c->rolling, c->n_rolling);
     char names[400] = "";
     for (int i = 0; i < tr_n_rolling_velocities; i++) {
         strcat(names, i ? "|" : ""), strcat(names, tr_rolling_velocities[i].name);

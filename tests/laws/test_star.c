@@ -237,7 +237,7 @@ static one_step single(star s, double w1, double w2, double f, double Q, double 
     tr_world_set_disk(&w, 0, 0, 0, 0, 2 * RADIUS, DENSITY, false);
     tr_world_set_disk(&w, 1, 1, 0, 0, RADIUS, DENSITY, false);
     set_star(&w, 0, s, 0);
-    const tr_slot *slot = &w.group[0].slot[TR_ROLLING];
+    const tr_group_law *slot = &w.group[0].laws[TR_ROLLING];
     double R1[1] = {2 * RADIUS}, R2[1] = {RADIUS}, g1[1] = {2.0 / 3}, h[2] = {before, before}, p[TR_MAX_PAIR] = {0};
     tr_pair_bodies bodies = tr_world_pair(&w, &w.group[0], 0, 1);
     slot->law->pair(slot->par, &bodies, p);
@@ -449,7 +449,7 @@ static void test_shares_follow_the_contacts(void **state) {
         w.disks.pos[4 * 2] = 1.99 * RADIUS * 2 + (k != 1), w.stale = true;
         forces(&w);
         const tr_group *g = &w.group[0];
-        int i = listed(g, 0, 1), of_law = g->slot[TR_ROLLING].pair;
+        int i = listed(g, 0, 1), of_law = g->laws[TR_ROLLING].pair;
         assert_int_equal(g->n, k == 1 ? 2 : 1);
         assert_close(g->pair[of_law][i], inertia(), 1e-15, 0);
         assert_close(g->pair[of_law + 1][i], inertia() / (k == 1 ? 2 : 1), 1e-15, 0);

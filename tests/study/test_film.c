@@ -10,7 +10,7 @@
 #include "draw/frame_patch.h"
 #include "draw/frame_show.h"
 #include "draw/hand_made.h"
-#include "out/made.h"
+#include "out/manifest.h"
 #include "study/film.h"
 
 #include <dirent.h>
@@ -218,7 +218,7 @@ static void full_disk(fixture *f, int frames) {
     tr_status st = {0};
     setenv("PATH", "/nowhere", 1);
     assert_int_equal(mkdir(in_dir(f, "frames"), 0700), 0);
-    assert_true(tr_made_add(f->dir, "frames/00003.png", &st)); /* or it would be taken for a file of the user's */
+    assert_true(tr_manifest_add(f->dir, "frames/00003.png", &st)); /* or it would be taken for a file of the user's */
     assert_int_equal(symlink("/dev/full", in_dir(f, "frames/00003.png.part")), 0);
     fails(f, frames, &st);
     setenv("PATH", f->path, 1);

@@ -21,7 +21,7 @@ typedef struct pair {
     tr_inset inset;
 } pair;
 
-static bool open_pair(pair *p, const char *contact, const char *shape, tr_scene_pick pick) {
+static bool open_pair(pair *p, const char *contact, const char *shape, tr_contact_id pick) {
     char text[500];
     tr_status st = {0};
     snprintf(
@@ -61,7 +61,7 @@ static void carter(void **state) {
     for (int way = 0; way < 4; way++) {
         pair p;
         double slide = way & 1 ? -1 : 1, roll = way & 2 ? -1 : 1;
-        assert_true(open_pair(&p, CREEP, "disk", (tr_scene_pick){0, 1}));
+        assert_true(open_pair(&p, CREEP, "disk", (tr_contact_id){0, 1}));
         go(&p, (tr_path_point){.P = P}, 1);
         go(&p, (tr_path_point){slide * xi * 15 * a, roll * 15 * a, P, 0}, 20000);
         const tr_patch_state *s = tr_half_plane_state(p.inset.solver);
@@ -83,7 +83,7 @@ static void transient(void **state) {
     (void)state;
     pair p;
     tr_status st = {0};
-    assert_true(open_pair(&p, CREEP, "disk", (tr_scene_pick){0, 1}));
+    assert_true(open_pair(&p, CREEP, "disk", (tr_contact_id){0, 1}));
     const double R = R1 * R2 / (R1 + R2), a = sqrt(4 * P * R / (M_PI * E_star)), slide = 6 * mu * P / (M_PI * E_star);
     enum { FINE = 240 };
     tr_half_plane *fine = tr_half_plane_new(&p.inset.pair, FINE, &st);
@@ -110,7 +110,7 @@ static void far_in_one_step(void **state) {
     (void)state;
     pair p;
     const double R = R1 * R2 / (R1 + R2), a = sqrt(4 * P * R / (M_PI * E_star)), xi = 0.5 * mu * a / R;
-    assert_true(open_pair(&p, CREEP, "disk", (tr_scene_pick){0, 1}));
+    assert_true(open_pair(&p, CREEP, "disk", (tr_contact_id){0, 1}));
     go(&p, (tr_path_point){.P = P}, 1);
     go(&p, (tr_path_point){xi * 1e8 * a, 1e8 * a, P, 0}, 1);
     assert_close(tr_half_plane_state(p.inset.solver)->Q / (mu * P), 0.75, 0, 0.03); /* as in carter */
@@ -121,7 +121,7 @@ static void far_in_one_step(void **state) {
 static void cattaneo_and_open(void **state) {
     (void)state;
     pair p;
-    assert_true(open_pair(&p, CREEP, "disk", (tr_scene_pick){0, 1}));
+    assert_true(open_pair(&p, CREEP, "disk", (tr_contact_id){0, 1}));
     const double full = 2 * mu * P / (M_PI * E_star);
     go(&p, (tr_path_point){.P = P}, 1);
     go(&p, (tr_path_point){.u_slide = 3 * full, .P = P}, 20000);
@@ -142,7 +142,7 @@ static void who_has_one(void **state) {
     (void)state;
     static const struct {
         const char *contact, *shape;
-        tr_scene_pick pick;
+        tr_contact_id pick;
         bool has;
     } rows[] = {{CREEP, "disk", {0, 1}, true},
                 {CREEP, "disk", {-1, 1}, true},
@@ -162,7 +162,7 @@ static void in_the_frame(void **state) {
     (void)state;
     pair p;
     tr_status st = {0};
-    assert_true(open_pair(&p, CREEP, "disk", (tr_scene_pick){0, 1}));
+    assert_true(open_pair(&p, CREEP, "disk", (tr_contact_id){0, 1}));
     tr_canvas *canvas = tr_canvas_create(&st);
     const tr_view_line line[5] = {{"a", "1"}, {"b", "2"}, {"c", "3"}, {"d", "4"}, {"e", "5"}};
     tr_view view = {.world = &p.b.world,

@@ -146,7 +146,7 @@ static void spike(void **state) {
     tr_status st = {0};
     tr_recorder *r = calloc(1, sizeof *r);
     if (!tr_bodies_init(&b, &scene, &st) ||
-        !tr_recorder_open(r, &scene, (tr_scene_pick){0}, &b.world, folder, "", 0, false, &report, &st))
+        !tr_recorder_open(r, &scene, (tr_contact_id){0}, &b.world, folder, "", 0, false, &report, &st))
         fail_msg("%s", st.text);
     for (int k = 1; k <= 9; k++) {
         r->paths.now[0].P = k == 5 ? 150 : 100;
@@ -176,18 +176,18 @@ static void spike(void **state) {
     "shear: {inertial_number: 1e-3, strain_end: 0.03}\n"
 
 /* The contact that most-mobilised stood for, from the note of the run. */
-static tr_scene_pick most_of(const tr_run_report *report) {
-    tr_scene_pick pick = {0};
+static tr_contact_id most_of(const tr_run_report *report) {
+    tr_contact_id pick = {0};
     for (int i = 0; i < report->n_notes; i++) sscanf(report->note[i], "most-mobilised is %d-%d", &pick.a, &pick.b);
     assert_true(pick.a < pick.b);
     return pick;
 }
 
 /* Every step of the same run against the straight lines between the rows of the file: 2/500 of each range. */
-static void compare_with_every_step(const char *text, tr_scene_pick pick, const table *t, double radius[2]) {
+static void compare_with_every_step(const char *text, tr_contact_id pick, const table *t, double radius[2]) {
     tr_scene scene = read_case(text);
     tr_biaxial b;
-    tr_paths paths = {.picks = {1, {pick}}};
+    tr_paths paths = {.contacts = {1, {pick}}};
     tr_status st = {0};
     bool done = false, ok = tr_biaxial_init(&b, &scene, &st);
     double unbalanced, low[COLUMNS] = {0}, high[COLUMNS] = {0}, worst[COLUMNS] = {0};
@@ -288,7 +288,7 @@ static void inside_of_a_recorded_path(void **state) {
 static void biaxial(const char *plain, const char *recorded, const char *friction, const char *other_law,
                     double tolerance) {
     tr_run_report report = run_case(recorded, "recorded");
-    tr_scene_pick most = most_of(&report);
+    tr_contact_id most = most_of(&report);
     table t = read_path("recorded", "paths/most-mobilised.csv");
     double radius[2];
     compare_with_every_step(plain, most, &t, radius);
@@ -323,7 +323,7 @@ static void most_mobilised_is_the_largest(void **state) {
     (void)state;
     static const char *const columns[] = {"a", "b", "mobilisation"};
     tr_run_report report = run_case(BIAXIAL(CREEP) RECORD, "most");
-    tr_scene_pick most = most_of(&report);
+    tr_contact_id most = most_of(&report);
     table t = read_columns("most", "contacts.csv", columns, 3); /* at the end of the run */
     double largest = 0, its = -1;
     for (int i = 0; i < t.n; i++) {
@@ -358,7 +358,7 @@ static void recording_changes_nothing(void **state) {
 static void names(void **state) {
     (void)state;
     tr_scene a = read_case(BODIES("[1-0, wall0-1, most-mobilised]"));
-    const tr_scene_picks *p = &a.output.paths;
+    const tr_contact_ids *p = &a.output.paths;
     assert_int_equal(p->n, 3);
     assert_true(p->item[0].a == 0 && p->item[0].b == 1 && p->item[1].a == -1 && p->item[1].b == 1);
     assert_true(p->item[2].a == p->item[2].b);

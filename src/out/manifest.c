@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "out/made.h"
+#include "out/manifest.h"
 
 #include "base/alloc.h"
 #include "base/gather.h"
@@ -38,7 +38,7 @@ static bool is_frame(const char *name) {
 }
 
 /* 17-42.csv, wall0-3.csv, most-mobilised.csv */
-static bool is_pick(const char *name) {
+static bool is_contact_id(const char *name) {
     const char *digits = "0123456789", *end = name + (strncmp(name, "wall", 4) ? 0 : 4);
     end += strspn(end, digits);
     end += *end == '-' ? 1 + strspn(end + 1, digits) : 0;
@@ -49,7 +49,7 @@ static bool is_pick(const char *name) {
 /* Of several scenes the names begin with the scene's number: 0-17-42.csv. */
 static bool is_path(const char *name) {
     size_t number = strspn(name, "0123456789");
-    return is_pick(name) || (number && name[number] == '-' && is_pick(name + number + 1));
+    return is_contact_id(name) || (number && name[number] == '-' && is_contact_id(name + number + 1));
 }
 
 static const struct folder {
@@ -185,10 +185,10 @@ static bool list_forget(const list *l, const char *dir, tr_status *st) {
 
 /* ---- the files of a directory ---- */
 
-/* Calls look() for each file that has the name of a result, an ending included; stops at the first false. */
-typedef bool looker(void *context, const char *dir, const char *name, tr_status *st);
+/* Calls visit() for each file that has the name of a result, an ending included; stops at the first false. */
+typedef bool visitor(void *context, const char *dir, const char *name, tr_status *st);
 
-static bool each_in(const char *dir, const struct folder *folder, looker *look, void *context, tr_status *st) {
+static bool each_in(const char *dir, const struct folder *folder, visitor *visit, void *context, tr_status *st) {
     char path[TR_PATH];
     if (!tr_dir_path(path, dir, folder->name, st)) return false;
     DIR *d = opendir(path);
@@ -198,7 +198,7 @@ static bool each_in(const char *dir, const struct folder *folder, looker *look, 
         strip(e->d_name, bare, sizeof bare);
         if (!folder->is_ours(bare)) continue;
         snprintf(name, sizeof name, "%s/%s", folder->name, e->d_name);
-        ok = look(context, dir, name, st);
+        ok = visit(context, dir, name, st);
     }
     if (d) closedir(d);
     return ok;
@@ -209,16 +209,16 @@ static bool is_there(const char *path) {
     return !lstat(path, &info);
 }
 
-static bool each_result(const char *dir, looker *look, void *context, tr_status *st) {
+static bool each_result(const char *dir, visitor *visit, void *context, tr_status *st) {
     char name[64], path[TR_PATH];
     for (int k = 0; k < N_RESULTS; k++)
         for (int e = 0; e < N_ENDINGS; e++) {
             snprintf(name, sizeof name, "%s%s", results[k], endings[e]);
             if (!tr_dir_path(path, dir, name, st)) return false;
-            if (is_there(path) && !look(context, dir, name, st)) return false;
+            if (is_there(path) && !visit(context, dir, name, st)) return false;
         }
     for (int k = 0; k < N_FOLDERS; k++)
-        if (!each_in(dir, &folders[k], look, context, st)) return false;
+        if (!each_in(dir, &folders[k], visit, context, st)) return false;
     return true;
 }
 
@@ -275,15 +275,15 @@ static bool add(const char *dir, const char *name, int frames, tr_status *st) {
     return ok;
 }
 
-bool tr_made_add(const char *dir, const char *name, tr_status *st) {
+bool tr_manifest_add(const char *dir, const char *name, tr_status *st) {
     return add(dir, name, 0, st);
 }
 
-bool tr_made_add_frames(const char *dir, int n, tr_status *st) {
+bool tr_manifest_add_frames(const char *dir, int n, tr_status *st) {
     return add(dir, NULL, n, st);
 }
 
-bool tr_made_listed(const char *dir, const char *name, bool *listed, tr_status *st) {
+bool tr_manifest_lists(const char *dir, const char *name, bool *listed, tr_status *st) {
     list l;
     *listed = false;
     if (!list_read(&l, dir, st)) return false;
@@ -323,7 +323,7 @@ static bool remove_made(void *context, const char *dir, const char *name, tr_sta
     return tr_status_fail(st, TR_FILE, "error: cannot remove %s: %s", path, strerror(errno));
 }
 
-bool tr_made_clear(const char *dir, bool force, tr_status *st) {
+bool tr_manifest_clear(const char *dir, bool force, tr_status *st) {
     clearing c = {.force = force};
     char path[TR_PATH];
     for (int k = 0; k < N_FOLDERS; k++)
@@ -353,7 +353,7 @@ static bool fail_both(const char *output, const char *input, tr_status *st) {
 
 static bool differ(void *context, const char *dir, const char *name, tr_status *st) {
     char path[TR_PATH];
-    return tr_dir_path(path, dir, name, st) && tr_made_differ(path, context, st);
+    return tr_dir_path(path, dir, name, st) && tr_manifest_differ(path, context, st);
 }
 
 /* An input that does not exist yet must not have the path of a result. */
@@ -373,13 +373,13 @@ static bool stands_apart(const char *dir, const char *input, tr_status *st) {
     return true;
 }
 
-bool tr_made_spare(const char *dir, const char *input, tr_status *st) {
+bool tr_manifest_spare(const char *dir, const char *input, tr_status *st) {
     if (!input) return true;
     if (!is_there(input)) return stands_apart(dir, input, st);
     return each_result(dir, differ, (void *)(uintptr_t)input, st);
 }
 
-bool tr_made_differ(const char *output, const char *input, tr_status *st) {
+bool tr_manifest_differ(const char *output, const char *input, tr_status *st) {
     struct stat given, ours;
     if (!input || stat(input, &given) || stat(output, &ours) || !is_same(&given, &ours)) return true;
     return fail_both(output, input, st);

@@ -2,7 +2,7 @@
 /* One value in two spellings, `0.5` and `1/2`, would run twice and count twice. Two values of a key are equal if their
  * cases are equal for all values of the other keys. This includes a key without effect, which `set` overrides. */
 
-#include "study/sweep_twice.h"
+#include "study/sweep_duplicates.h"
 
 #include "base/alloc.h"
 #include "base/hash.h"
@@ -63,7 +63,7 @@ static bool check_axis(const tr_grid *g, int axis, tr_status *st) {
     return !st->code;
 }
 
-bool tr_grid_check_twice(const tr_grid *g, tr_status *st) {
+bool tr_grid_check_duplicates(const tr_grid *g, tr_status *st) {
     for (int axis = 0; axis < g->n_vary; axis++)
         if (!check_axis(g, axis, st)) return false;
     return true;

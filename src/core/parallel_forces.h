@@ -10,12 +10,12 @@
  *
  * Rejected: store the results of all tiles, and let each thread add up the forces of its part of the disks in a second
  * pass (200 bytes a disk; two threads took 0.82 of the time of one, instead of 0.61). */
-#ifndef TR_SHARES_H
-#define TR_SHARES_H
+#ifndef TR_PARALLEL_FORCES_H
+#define TR_PARALLEL_FORCES_H
 
 #include "core/world.h"
 
 /* Adds the forces of the contacts of disks. dt: as of a pass. */
-bool tr_shares_forces(tr_world *world, double dt, tr_status *st);
+bool tr_parallel_forces(tr_world *world, double dt, tr_status *st);
 
 #endif

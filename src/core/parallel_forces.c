@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-#include "core/shares.h"
+#include "core/parallel_forces.h"
 
 #include "base/alloc.h"
 #include "base/vector.h"
 #include "core/cell.h"
-#include "core/shares_memory.h"
+#include "core/parallel_memory.h"
 #include "core/tile.h"
 #include <stdlib.h>
 #include <string.h>
 
-typedef tr_share_sums sums;
-typedef tr_share_late late;
-typedef tr_share_part part;
+typedef tr_parallel_sums sums;
+typedef tr_parallel_deferred late;
+typedef tr_parallel_thread part;
 
 /* ---- who owns what */
 
@@ -21,10 +21,10 @@ static int end_of(const tr_group *g, int tile) {
 }
 
 /* Late parts are counted, and room for them is made before a step needs it. */
-static bool mark(tr_shares *s, const tr_group *g, int k, tr_status *st) {
+static bool mark(tr_parallel *s, const tr_group *g, int k, tr_status *st) {
     part *p = &s->part[k];
     int n = 0;
-    for (int tile = tr_threads_share(s->tiles, k, s->threads); tile < tr_threads_share(s->tiles, k + 1, s->threads);
+    for (int tile = tr_threads_chunk(s->tiles, k, s->threads); tile < tr_threads_chunk(s->tiles, k + 1, s->threads);
          tile++) {
         int before = n;
         for (int i = tile * TR_TILE; i < end_of(g, tile); i++) n += (s->owner[g->a[i]] < k) + (s->owner[g->b[i]] < k);
@@ -36,10 +36,10 @@ static bool mark(tr_shares *s, const tr_group *g, int k, tr_status *st) {
     return true;
 }
 
-static bool assign(tr_shares *s, const tr_group *g, tr_status *st) {
+static bool assign(tr_parallel *s, const tr_group *g, tr_status *st) {
     for (int k = s->threads - 1; k >= 0; k--) {
-        int end = tr_threads_share(s->tiles, k + 1, s->threads) * TR_TILE;
-        for (int i = tr_threads_share(s->tiles, k, s->threads) * TR_TILE; i < end && i < g->n; i++)
+        int end = tr_threads_chunk(s->tiles, k + 1, s->threads) * TR_TILE;
+        for (int i = tr_threads_chunk(s->tiles, k, s->threads) * TR_TILE; i < end && i < g->n; i++)
             s->owner[g->a[i]] = s->owner[g->b[i]] = (uint16_t)k;
     }
     for (int k = 0; k < s->threads; k++)
@@ -47,12 +47,12 @@ static bool assign(tr_shares *s, const tr_group *g, tr_status *st) {
     return true;
 }
 
-static tr_shares *create(int n, int threads, tr_status *st) {
-    tr_shares *s = tr_alloc(1, sizeof *s, st);
+static tr_parallel *create(int n, int threads, tr_status *st) {
+    tr_parallel *s = tr_alloc(1, sizeof *s, st);
     uint16_t *owner = tr_alloc((size_t)n, sizeof *owner, st);
     part *parts = tr_alloc((size_t)threads, sizeof *parts, st);
     if (s && owner && parts) {
-        *s = (tr_shares){.threads = threads, .list = -1, .owner = owner, .part = parts};
+        *s = (tr_parallel){.threads = threads, .list = -1, .owner = owner, .part = parts};
         return s;
     }
     free(parts), free(owner), free(s);
@@ -62,9 +62,10 @@ static tr_shares *create(int n, int threads, tr_status *st) {
 static bool prepare(tr_world *world, tr_status *st) {
     const tr_group *g = &world->group[0];
     int threads = tr_world_threads(world);
-    if (world->shares && world->shares->threads != threads) tr_shares_free(world->shares), world->shares = NULL;
-    if (!world->shares && !(world->shares = create(world->disks.n, threads, st))) return false;
-    tr_shares *s = world->shares;
+    if (world->parallel && world->parallel->threads != threads)
+        tr_parallel_free(world->parallel), world->parallel = NULL;
+    if (!world->parallel && !(world->parallel = create(world->disks.n, threads, st))) return false;
+    tr_parallel *s = world->parallel;
     if (s->list == world->refreshes) return true;
     s->list = -1;
     s->tiles = (g->n + TR_TILE - 1) / TR_TILE;
@@ -85,7 +86,7 @@ static void run_passes(tr_world *world, tr_tile *tile, int first, sums *to) {
     tr_ledger lost = {.damped = 0};
     tr_sink sink = g->ledger_sink;
     sink.ledger = &lost;
-    tr_tile_gather(world, g, tile, first, world->shares->dt);
+    tr_tile_gather(world, g, tile, first, world->parallel->dt);
     for (int k = 0; k < g->n_pass; k++) {
         tr_law_data data = g->pass[k].data;
         if (data.par == &g->ledger_sink) data.par = &sink;
@@ -104,7 +105,7 @@ static void run_passes(tr_world *world, tr_tile *tile, int first, sums *to) {
 static void scatter_mixed(tr_world *world, part *p, int k) {
     const tr_group *g = &world->group[0];
     const tr_tile *tile = &p->tile;
-    const uint16_t *owner = world->shares->owner;
+    const uint16_t *owner = world->parallel->owner;
     tr_quad *force = (tr_quad *)world->disks.force;
     for (int i = 0; i < tile->n; i++) {
         int disk[2] = {g->a[tile->first + i], g->b[tile->first + i]};
@@ -121,11 +122,11 @@ static void scatter_mixed(tr_world *world, part *p, int k) {
 
 static void work(void *context, int k) {
     tr_world *world = context;
-    tr_shares *s = world->shares;
+    tr_parallel *s = world->parallel;
     part *p = &s->part[k];
-    int end = tr_threads_share(s->tiles, k + 1, s->threads);
+    int end = tr_threads_chunk(s->tiles, k + 1, s->threads);
     p->n_late = 0;
-    for (int tile = tr_threads_share(s->tiles, k, s->threads); tile < end; tile++) {
+    for (int tile = tr_threads_chunk(s->tiles, k, s->threads); tile < end; tile++) {
         run_passes(world, &p->tile, tile * TR_TILE, &s->sums[tile]);
         if (s->sums[tile].mixed)
             scatter_mixed(world, p, k);
@@ -134,9 +135,9 @@ static void work(void *context, int k) {
     }
 }
 
-bool tr_shares_forces(tr_world *world, double dt, tr_status *st) {
+bool tr_parallel_forces(tr_world *world, double dt, tr_status *st) {
     if (!prepare(world, st)) return false;
-    tr_shares *s = world->shares;
+    tr_parallel *s = world->parallel;
     tr_quad *force = (tr_quad *)world->disks.force;
     s->dt = dt;
     tr_threads_run(world->threads, work, world);
@@ -149,7 +150,7 @@ bool tr_shares_forces(tr_world *world, double dt, tr_status *st) {
         if (!world->ledger) continue;
         world->ledger->damped += t->lost[0], world->ledger->friction += t->lost[1],
             world->ledger->rolling += t->lost[2];
-        for (int slot = 0; slot < TR_N_SLOTS; slot++) world->ledger->made[slot] += t->made[slot];
+        for (int slot = 0; slot < TR_N_LAW_KINDS; slot++) world->ledger->made[slot] += t->made[slot];
     }
     return true;
 }
