@@ -118,8 +118,8 @@ static void compare(const char *what, const tr_world *w, test_laws laws, double 
     assert_true(worst <= bound * (1 + 1e-12));
 }
 
-static const test_laws normal_only = {.k_n = 1e6}, all = {1e6, 0, 0.5, 0.5e6, 0.5, 0.5e6, "wang"},
-                       soft_normal = {1e5, 0, 0.5, 1e6, 0.5, 1e6, "wang"};
+static const test_laws normal_only = {.k_n = 1e6}, all = {1e6, 0, 0.5, 0.5e6, 0.5, 0.5e6, "wang", NULL},
+                       soft_normal = {1e5, 0, 0.5, 1e6, 0.5, 1e6, "wang", NULL};
 
 static void test_lattices(void **state) {
     (void)state;
@@ -127,9 +127,9 @@ static void test_lattices(void **state) {
         const char *name;
         test_laws laws;
     } with[] = {{"normal", {.k_n = 1e6}},
-                {"all", {1e6, 0, 0.5, 0.5e6, 0.5, 0.5e6, "wang"}},
-                {"stiff tangential", {1e5, 0, 0.5, 1e6, 0.5, 1e6, "wang"}},
-                {"stiff rolling", {1e5, 0, 0.5, 1e5, 0.5, 1e6, "wang"}}};
+                {"all", {1e6, 0, 0.5, 0.5e6, 0.5, 0.5e6, "wang", NULL}},
+                {"stiff tangential", {1e5, 0, 0.5, 1e6, 0.5, 1e6, "wang", NULL}},
+                {"stiff rolling", {1e5, 0, 0.5, 1e5, 0.5, 1e6, "wang", NULL}}};
     for (int k = 0; k < 4; k++)
         for (int walls = 0; walls < 2; walls++) {
             char name[80];
@@ -211,7 +211,7 @@ static void test_worst_covers_every_pair(void **state) {
         test_laws laws = {k_n,   k % 2 ? zeta : 0,
                           0.5,   k_n * pow(10, 4 * tr_random_uniform(&r) - 2),
                           0.5,   k_n * pow(10, 4 * tr_random_uniform(&r) - 2),
-                          "wang"};
+                          "wang", NULL};
         double R = 0.01 / ratio;
         tr_world w;
         new_world(&w, 2);

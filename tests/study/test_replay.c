@@ -473,7 +473,7 @@ static void the_same_with_any_number_of_jobs(void **state) {
 /* Every third: the lives 0, 3, 6, ... of the whole, and no stress of a part. */
 static void a_sample(void **state) {
     (void)state;
-    static const char *const of_lives[] = {"a", "b", "from_s", "run-replayed_rms"};
+    static const char *const of_lives[] = {"a", "b", "from_s", "run_replayed_rms"};
     tr_replay r = replay("stress", "sample", 2, 6, 3);
     tr_replay_free(&r);
     table all = table_read(folder, "jobs-1/replay.csv", of_lives, 4),
