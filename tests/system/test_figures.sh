@@ -5,11 +5,14 @@ set -u
 # shellcheck source=tests/system/tap.sh
 . "$(dirname "$0")/tap.sh"
 
+# The two that take longest run the same solver of the half-plane as exact-path and kuhn-fig2: once is enough.
 for script in figures/*.sh; do
     figure=$(basename "$script" .sh)
     check "$figure: writes its data" sh -c '"$0" "$1" >"$2/$3.csv"' "$script" "$TRUNDLE" "$work" "$figure"
-    "$script" "$TRUNDLE" >"$work/again.csv"
-    check "$figure: the same bytes again" cmp "$work/$figure.csv" "$work/again.csv"
+    case $figure in cattaneo-to-carter | creep-error) ;; *)
+        "$script" "$TRUNDLE" >"$work/again.csv"
+        check "$figure: the same bytes again" cmp "$work/$figure.csv" "$work/again.csv"
+    esac
     check "$figure: has a script that draws it" test -s "figures/$figure.gp"
 done
 

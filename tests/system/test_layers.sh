@@ -73,8 +73,7 @@ on_circles() {
 # Which functions a header declares and which a .c file defines, as "declares|defines UNIT FUNCTION". Both begin at the
 # left margin. A declaration ends with ; and may be a list "TYPE NAME, NAME;".
 functions() {
-    # shellcheck disable=SC2046 # no path here has spaces in it
-    code_of $(sources) | awk '
+    awk '
         {
             file = line = $0
             sub(/:.*/, "", file)
@@ -98,7 +97,7 @@ functions() {
             if (substr(line, RSTART, 1) == ";" && file ~ /\.h$/) print "declares", file, name
             if (substr(line, RSTART, 1) == "{" && file !~ /\.h$/) print "defines", file, name
             name = ""
-        }' | sed 's/\.[a-z]* / /'
+        }' "$work/code" | sed 's/\.[a-z]* / /'
 }
 
 # Lines "HEADER UNIT UNIT...": whose functions a header declares, where they are not those of the file of its name.
@@ -118,11 +117,11 @@ headers_of_others() {
 
 # A header speaks for one .c file. One that declares functions of several ties all who include it to all of these. A
 # registry names its entries itself. The face of the library is one header for its users.
-shared_headers() { headers_of_others | awk 'NF > 2 && $1 != "trundle"'; }
+shared_headers() { awk 'NF > 2 && $1 != "trundle"' "$work/others"; }
 
 # Units that include each other in a circle. A header counts for the file of its functions, whatever its name.
 include_circles() {
-    headers_of_others | awk 'NF == 2' >"$work/alias"
+    awk 'NF == 2' "$work/others" >"$work/alias"
     sources | xargs grep '^[[:space:]]*#[[:space:]]*include[[:space:]]*"' |
         sed 's/:.*include *"/ /; s/".*//; s/.*\/src\///' |
         awk '
@@ -182,8 +181,7 @@ code_of() {
 
 # snprintf and a file of results are fine; the terminal and the end of the program belong to cli/.
 printing() {
-    # shellcheck disable=SC2046 # no path here has spaces in it
-    code_of $(sources | grep -v '/src/cli/') |
+    grep -v '^[^:]*/src/cli/' "$work/code" |
         grep -E '(^|[^A-Za-z0-9_])((v?printf|puts|putchar|perror|psignal|warnx?|errx?|exit|_exit|_Exit|quick_exit|abort)[[:space:]]*\(|(stdout|stderr)([^A-Za-z0-9_]|$))'
 }
 
@@ -205,6 +203,10 @@ libm_calls() {
         $(NF - 1) == "U" &&
         $NF ~ /^(a?(sin|cos|tan)h?|atan2|sincos|exp(2|10|m1)?|log(2|10|1p)?|pow|cbrt|hypot|erfc?|lgamma(_r)?|tgamma|[jy][01n])[fl]?$/'
 }
+# What several rules look at, made once.
+# shellcheck disable=SC2046 # no path here has spaces in it
+code_of $(sources) >"$work/code"
+headers_of_others >"$work/others"
 
 check 'folders include only what is below them' is_silent forbidden_includes
 check 'no header declares functions of several files' is_silent shared_headers
