@@ -78,8 +78,8 @@ static attempt try(const trial *t, double w) {
 }
 
 /* The root of excess in [0, 1], from the first attempt on. J is taken as straight, so that a parabola is left to be solved: each
- * time what is left of the error is its square. What leaves the bracket is halved. As slope > creep dQ/dx, excess bounds the error of
- * Q; from 1e-8 mu P a last step leaves rounding. */
+ * time what is left of the error is its square. What leaves the bracket is halved. As slope > creep dQ/dx, excess bounds
+ * the error of Q. From 1e-8 mu P a last step leaves rounding, of disks; a cubic near full slip is not its parabola. */
 static double root(const trial *t, attempt now) {
     double a = 0, b = 1;
     if (tr_bed_slips(t->bed, t->delta, displaced(t, 1), t->side)) return 1;
@@ -89,7 +89,7 @@ static double root(const trial *t, attempt now) {
             a = now.w;
         else
             b = now.w;
-        if (fabs(f) <= 1e-8 * t->most) return fmin(fmax(next, a), b);
+        if (fabs(f) <= (t->sphere ? 1e-12 : 1e-8) * t->most) return fmin(fmax(next, a), b);
         double w = next > a && next < b ? next : 0.5 * (a + b);
         if (w <= a || w >= b) return a;
         now = try(t, w);
