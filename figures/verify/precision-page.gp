@@ -6,7 +6,7 @@ set datafile separator ','
 names(n, where) = system("awk -F, 'NR > 1 && ".where." && !seen[$".n."]++ {gsub(/ /, \"~\", $".n."); print $".n."}' ".csv)
 of(c, series, where) = sprintf("< awk -F, '$1 == \"%s\" && $2 == \"%s\" && $5 != \"\" && %s' %s", c, series, where, csv)
 plain(name) = system("echo '".name."' | tr '~' ' '")
-array color[8] = ['#000000', '#d55e00', '#0072b2', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#999999']
+array color[8] = ['#000000', '#00714f', '#7f4a90', '#7fbf9f', '#d08aa8', '#a89a00', '#c9a0d0', '#999999']
 array mark[8] = [7, 6, 8, 4, 12, 5, 10, 2]
 cases = names("1", '$6 != "" && $1 != "biaxial"')
 rows = (words(cases) + 1)/2

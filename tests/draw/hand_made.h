@@ -15,6 +15,7 @@ typedef struct hand_made {
     tr_world world;
     tr_record record[HAND_RECORDS];
     tr_view view;
+    tr_group group[2]; /* without laws */
     double pos[4 * HAND_DISKS], vel[4 * HAND_DISKS];
 } hand_made;
 
@@ -27,6 +28,7 @@ static inline hand_made *hand_start(void) {
     hand_made *h = calloc(1, sizeof *h);
     h->world.disks.pos = h->pos;
     h->world.disks.vel = h->vel;
+    h->world.group = h->group, h->world.n_groups = 2;
     h->view = (tr_view){.world = &h->world, .record = h->record};
     return h;
 }

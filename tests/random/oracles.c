@@ -72,11 +72,11 @@ static double value(const table *t, const char *column) {
 /* ---- numbers ---- */
 
 /* What may have no number: tan phi of a stress that pulls; the spread of what no contact did; the bound of a step
- * where nothing can vibrate; what never happened, of a check. */
+ * where nothing can vibrate; what never happened, of a check; the creepage of a step that does not roll. */
 static bool may_be_empty(const char *column) {
     static const char *const part[] = {"tan_phi",    "_over_slide",    "a_over_R",
                                        "run_over_a", "rolled_in_runs", "friction_share_of_q",
-                                       "dt_bound_s", "\"measured\"",   "\"error\""};
+                                       "dt_bound_s", "\"measured\"",   "\"error\"", "creepage"};
     for (size_t k = 0; k < sizeof part / sizeof *part; k++)
         if (strstr(column, part[k])) return true;
     return false;

@@ -89,7 +89,7 @@ static const bad_case rows[] = {
      "curve, contact, still, view\noutput: {energy: yes}\n         ^"},
     {GOOD "output: {color: mobilization}\n", 0, NULL,
      "a.yaml:5:17: error: `mobilization` is not a choice for `color` (did you mean `mobilisation`?); allowed is "
-     "mobilisation | sliding | rolling | slip | spin\noutput: {color: mobilization}\n                ^"},
+     "mobilisation | sliding | rolling | slip | spin | motion\noutput: {color: mobilization}\n                ^"},
     {GOOD_BODIES "lesson: {title: \"0123456789012345678901234567890123456789012345678901234567890\u00e4b\"}\n", 0, NULL,
      "a.yaml:5:17: error: `title` is 64 bytes of UTF-8 long, allowed is 63\nlesson: {title: "
      "\"0123456789012345678901234567890123456789012345678901234567890\u00e4b\"}\n                ^"},

@@ -83,7 +83,7 @@ static void defaults(void **state) {
     assert_int_equal(s.output.frames, 20);
     assert_int_equal(s.output.rows, 400);
     assert_int_equal(s.output.contacts, 1);
-    assert_int_equal(s.output.color, TR_COLOR_MOBILISATION);
+    assert_int_equal(s.output.color, TR_COLOR_MOTION);
     assert_true(s.output.energy);
     assert_null(s.disks);
     tr_scene_free(&s);

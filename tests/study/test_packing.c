@@ -129,7 +129,7 @@ static void test_an_old_packing_with_friction(void **state) {
     assert_true(tr_checkpoint_write(&c, dir, "sample.bin"));
     assert_false(run("old", sets, 1, file, &st));
     assert_int_equal(st.code, TR_FILE);
-    const char *why = "it has `packing: 1`, this one `packing: 2, with friction histories`";
+    const char *why = "it has `packing: 1`, this case has `packing: 2, with friction histories`";
     if (!strstr(st.text, why)) fail_msg("%s", st.text);
     if (!strstr(st.text, "remove it")) fail_msg("%s", st.text);
     free(now), tr_scene_free(&scene);

@@ -45,9 +45,9 @@ check 'bench does not take it: 2' sh -c '! "$0" bench file.yaml 2>stderr' "$TRUN
 
 # ---- refused ----
 check 'file and radii: 2' gives 2 file.yaml -o no --set sample.r_min=1\ mm
-check 'are told' says stderr '`r_min` and `file` say the same: give one of them'
+check 'are told' says stderr '`r_min` and `file` mean the same: give one of them'
 check 'neither: 2' gives 2 file.yaml -o no --set 'sample.file='
-check 'is told' says stderr '`sample.r_min` is missing: smallest radius; radii uniform up to r_max [m]; or give file'
+check 'is told' says stderr '`sample.r_min` is missing: smallest radius; radii are uniform from r_min to r_max [m]; or give file'
 check 'no such file: 3' gives 3 file.yaml -o no --set sample.file=none.csv
 refuses() { # ROWS MESSAGE
     printf "$1" >bad.csv

@@ -48,9 +48,9 @@ check 'hertz-line: E_star' soft impact.yaml E_star --set contact.normal=hertz-li
 check 'with a dashpot' soft impact.yaml k_n --set contact.damping_ratio=0.3
 check 'a weight' soft weight.yaml k_n
 check 'a given motion cannot be stopped: no value' run_gives 4 impact.yaml -o out --force --set disks.0.motion=prescribed --set disks.1.motion=prescribed
-check 'but it says what presses' says stderr 'the given motion presses it'
+check 'but it says what presses' says stderr 'the prescribed motion presses it'
 check 'nor what overlaps at the start' run_gives 4 impact.yaml -o out --force --set disks.1.x=0.5
-check 'which is told' says stderr 'it is so at the start: place them further apart'
+check 'which is told' says stderr 'the scene starts so: place them further apart'
 # below the floor, or the floor turned over: both are told as the same thing
 for ny in -1 1; do
     check "a disk behind a wall, ny: $ny" run_gives 4 weight.yaml -o out --force --set walls.0.ny=$ny --set "disks.0.y=-($ny)*disks.0.radius"
