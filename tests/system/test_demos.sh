@@ -20,6 +20,11 @@ for case in "$cases"/*.yaml "$work"/*.yaml; do
     in_german() { run_gives 0 "$case" --lang de --frames 0 -o "$demo-de" && [ "$(title "$demo")" != "$(title "$demo-de")" ]; }
     title() { sed -n 's/^ *"title": //p' "$1/summary.json" | head -n 1; }
     check "$demo: in German too, with the same numbers" in_german
+    check "$demo: what its film shows is told too" grep -q '"happens"' "$demo/summary.json"
+    # of a lesson all but its texts: which there are, how many answers, which one is right
+    lesson() { sed -nE '/"lesson"/,/}/{ s/^( {4}"[a-z]+": ").*/\1/; s/^ {6}".*/      answer/; p; }' "$1/summary.json"; }
+    check "$demo: the German lesson has the same parts and the same right answer" \
+        equals "$(lesson "$demo-de")" "$(lesson "$demo")"
 done
 
 # ---- the closed forms follow the case, and the motion follows them: other values, still within the tolerance ----
