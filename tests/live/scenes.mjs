@@ -42,6 +42,14 @@ for (const ratio of [1, 3, 10])
 for (const [values, wanted] of [[{mu: .3, v: 1}, 2 / 3], [{mu: .1, v: 1}, 2 / 3],
                                 [{mu: .3, v: 1, shape: 'sphere'}, 5 / 7], [{mu: .3, v: 1, w: 12}, (2 - 3) / 3]])
     close(`throw ${JSON.stringify(values)}`, at('throw', values).world.disk(0).vx, wanted, .006);
+// Friction along the floor keeps the angular momentum about its points, so ice before the carpet changes nothing. On ice
+// of mu = 0.02 the wheel comes to the carpet, 0.6 m on, with v1 = sqrt(v0^2 - 2 mu g 0.6 m), and has turned to 2 (v0 - v1).
+close('carpet', at('carpet', {}).world.disk(0).vx, 2 / 3, .006);
+{
+    const {memory} = at('carpet', {}).run, mu = .02, v1 = Math.sqrt(1 - 2 * mu * 9.81 * .6), edge = (1 - v1) / mu / 9.81;
+    const last = memory.rim.filter(([t]) => t < edge).at(-1); // the springs take up to mu g/w_t, 0.001 m/s at mu = 0.02
+    close('carpet: the rim on the ice', last[1], 2 * mu * 9.81 * last[0], .002);
+}
 // The closed forms that the scene itself shows, against the run: both laws, all regions of the map, from rest over
 // 0.6 s. The springs take up to 0.01 m/s.
 for (const law of ['wang', 'bagi-kuhn'])

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The scenes, in order; their states as the address holds them: #pair?w1=1&w2=-0.5 */
+import {carpetScene} from './carpet.mjs';
 import {coinScene} from './coin.mjs';
 import {gearsScene} from './gears.mjs';
 import {pairScene} from './pair.mjs';
@@ -11,7 +12,7 @@ import {wheelsScene} from './wheels.mjs';
 import {whoScene} from './who.mjs';
 
 export const SCENES =
-    [rimScene, wheelsScene, pairScene, coinScene, throwScene, whoScene, slopeScene, gearsScene, sampleScene];
+    [rimScene, wheelsScene, pairScene, coinScene, throwScene, carpetScene, whoScene, slopeScene, gearsScene, sampleScene];
 
 /* Inside its range; {value, limited}. NaN: the default. */
 export function limit(control, value) {

@@ -26,7 +26,7 @@ export const throwScene = {
                    G} m/s^2}\ntime_end: ${throwScene.seconds} s\n` +
                `contact: {k_n: ${k}, damping_ratio: 0.3, friction: coulomb-spring, mu: ${
                    s.mu}, rolling: none}\ndisks:\n` +
-               `  - {radius: ${WHEEL} m, density: 1200 kg/m^3, x: 0, y: radius - ${weight}*${
+               `  - {radius: ${WHEEL} m, density: 1200 kg/m^3, x: ${s.x ?? 0} m, y: radius - ${weight}*${
                    G} m/s^2/contact.k_n, vx: ${s.v} m/s, spin: ${s.w} rad/s}\n` +
                'walls:\n  - {nx: 0, ny: 1}\noutput: {frames: 100, rows: 101, contacts: 101, curve: velocities}\n';
     },
@@ -43,7 +43,7 @@ export const throwScene = {
         drawWheel(p, d, memory.start, {...r.contacts[0], ...r, chalk: false});
         drawMotion(p, d);
         p.chart({x: whole.x, y: whole.y + .58 * whole.h, w: whole.w, h: .42 * whole.h}, {
-            x: [0, throwScene.seconds],
+            x: [0, this.seconds],
             y: [low - gap, high + gap],
             xName: word('throw.time'),
             yName: word('throw.speeds'),
