@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What native.c does, in WebAssembly. usage: node bits.mjs ENGINE.mjs LIVE.wasm STEPS CASE.yaml...
 //                                        or: node bits.mjs ENGINE.mjs LIVE.wasm card CARD.csv
+//                                        or: node bits.mjs ENGINE.mjs LIVE.wasm cycle R1,R2,overlap,du,dtheta,STEPS,LAWS...
 import {readFileSync} from 'node:fs';
 const [enginePath, wasm, what, ...files] = process.argv.slice(2);
 const {loadEngine} = await import(enginePath);
@@ -39,8 +40,25 @@ function card(file) {
     console.log(`${same} values of ${rows.length} motions are the same`);
 }
 
+// All bits of a number.
+function bits(x) {
+    return new DataView(new Float64Array([x]).buffer).getBigUint64(0, true).toString(16);
+}
+
 if (what === 'card')
     card(files[0]);
+else if (what === 'cycle')
+    for (const text of files) {
+        const [R1, R2, overlap, du, dtheta, steps, ...laws] = text.split(',');
+        const of = {R1: Number(R1), R2: Number(R2), overlap: Number(overlap), du: Number(du), dtheta: Number(dtheta)};
+        try {
+            const cycle = engine.cycle(laws.join(','), of);
+            cycle.step(Number(steps));
+            console.log(bits(cycle.state().work));
+        } catch (e) {
+            console.log(e.message);
+        }
+    }
 else
     for (const file of files) {
         try {

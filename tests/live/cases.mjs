@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The cases that "case.yaml" gives, of each scene as it opens and with values from all over their ranges, into files.
+// The cases that "case.yaml" gives, of each scene as it opens and with values from all over their ranges, into files; those of one contact
+// into DIRECTORY/path.
 // usage: node cases.mjs PAGE DIRECTORY
 import {readFileSync, writeFileSync} from 'node:fs';
 const [page, out] = process.argv.slice(2);
@@ -22,7 +23,7 @@ for (const scene of SCENES)
         if (back.wrong.length || back.scene !== scene ||
             scene.controls.some(c => String(back.state[c.key]) !== String(state[c.key])))
             throw new Error(`the address of ${scene.id} lost something: ${toAddress(scene, state)}`);
-        writeFileSync(`${out}/${scene.id}-${k}.yaml`, scene.text(state));
+        writeFileSync(`${out}/${scene.open ? 'path/' : ''}${scene.id}-${k}.yaml`, scene.text(state));
     }
 
 // What is outside of its range stops at the limit; nonsense opens the first scene and is named.

@@ -6,7 +6,7 @@ import {openBrowser} from './browser.mjs';
 
 const [program, folder, page, shots] = process.argv.slice(2);
 const b = await openBrowser(program, folder), url = `file://${page}`;
-const scenes = ['rim', 'wheels', 'pair', 'coin', 'throw', 'carpet', 'who', 'slope', 'gears', 'sample'],
+const scenes = ['rim', 'wheels', 'pair', 'coin', 'throw', 'carpet', 'who', 'thief', 'slope', 'gears', 'sample'],
       ready = 'window.app?.run != null';
 
 async function check(name, work) {

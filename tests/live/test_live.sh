@@ -37,11 +37,28 @@ check 'and eight cases at least have moved' moved
 check 'the biaxial test: the same positions after 10,000 steps' same 10000 cases/biaxial.yaml
 
 # What "copy case.yaml" gives, run by the command's library.
-copied() { mkdir -p "$work/copied" && node tests/live/cases.mjs "$page" "$work/copied"; }
+copied() { mkdir -p "$work/copied/path" && node tests/live/cases.mjs "$page" "$work/copied"; }
 check 'the scenes give their cases, and their addresses hold all values' copied
 check 'the cases of the scenes: the same positions after 300 steps' same 300 "$work"/copied/*.yaml
 none_refused() { ! grep -A3 error "$work/native"; }
 check 'and none of them is refused' none_refused
+
+cycles() {
+    set --
+    for rolling in wang conjugate passive; do
+        for by in wang bagi-kuhn alonso-min alonso-mean; do
+            set -- "$@" "0.1,0.25,1e-4,0.03,-0.4,1234,k_n: 1 GPa, friction: none, rolling: $rolling-spring, rolling_velocity: $by, mu_r: 1, k_r: 0.1 MPa"
+        done
+    done
+    same cycle "$@" "0.1,0.2,1e-4,0.03,0.3,10,k_n: 1 GPa, rolling: nonsense" && [ "$(grep -c "^[0-9a-f]*$" "$work/wasm")" -eq 12 ]
+}
+check 'the closed cycle of one contact does the same work by all laws, and says the same of a wrong one' cycles
+path_cases() {
+    for case in "$work"/copied/path/*.yaml; do
+        "$TRUNDLE" run "$case" -o "$work/out-$(basename "$case" .yaml)" >/dev/null || return 1
+    done
+}
+check 'the cases of one contact run' path_cases
 
 check 'the scenes tell what closed forms say' node tests/live/scenes.mjs "$page" "$wasm"
 

@@ -75,7 +75,7 @@ class App {
         const begin = () => {
             const scene = this.scene, text = scene.text(this.state);
             try {
-                const world = this.engine.open(0, text);
+                const world = scene.open ? scene.open(this.engine, this.state) : this.engine.open(0, text);
                 const other = scene.other?.(this.state);
                 this.run = {
                     scene,

@@ -28,7 +28,9 @@ export const carpetScene = {
         p.path([[d.x - 20 * WHEEL, -.015], [0, -.015]], p.line, .3);
         p.path([[0, -.015], [d.x + 20 * WHEEL, -.015]], p.faint, .6);
         p.path([[0, -.04], [0, .56]], p.faint, .06);
-        p.text(`${word('carpet.ice')} μ = ${short(s.mu)}`, -.03, .54, {align: 'right', colour: p.faint});
-        p.text(`${word('carpet.carpet')} μ = ${short(s.mu2)}`, .03, .54, {align: 'left', colour: p.faint});
+        for (const [align, edge] of [['left', 0], ['right', p.width]]) {
+            const ice = edge < p.px(0), name = word(ice ? 'carpet.ice' : 'carpet.carpet');
+            p.label(`${name} μ = ${short(ice ? s.mu : s.mu2)}`, edge, p.py(.05), {align, colour: p.faint});
+        }
     },
 };

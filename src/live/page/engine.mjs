@@ -91,6 +91,13 @@ class Engine {
         return new World(this, slot);
     }
 
+    /* A closed cycle of one contact, with laws as they stand in `contact`. */
+    cycle(laws, {R1, R2, overlap, du, dtheta}) {
+        this.write(laws);
+        this.check(this.c.live_cycle_open(R1, R2, overlap, du, dtheta));
+        return new Cycle(this);
+    }
+
     /* motion: {R1, R2, x1, y1, vx1, vy1, w1, x2, ...}, what is missing is 0; R1 Infinity: a floor. By each
      * definition. */
     measure(motion) {
@@ -164,5 +171,37 @@ class World {
 
     hash() {
         return BigInt.asUintN(64, this.c.live_hash(this.slot)).toString(16).padStart(16, '0');
+    }
+}
+
+const CYCLE = ['R1', 'R2', 'overlap', 'du', 'dtheta', 'beta', 'theta1', 'work', 'pull', 'torque1', 'torque2'];
+
+/* It steps as a world does. A leg takes a second. */
+class Cycle {
+    constructor(engine) {
+        this.engine = engine;
+        this.leg = engine.c.live_cycle_leg();
+        this.dt = 1 / this.leg;
+        this.steps = 0;
+        this.work = [0]; /* after each tenth of a leg [J/m] */
+    }
+
+    step(n) {
+        const tenth = this.leg / 10;
+        for (let few; n > 0; n -= few) {
+            few = Math.min(n, tenth - this.steps % tenth);
+            this.engine.check(this.engine.c.live_cycle_go(few));
+            this.steps += few;
+            if (this.steps % tenth === 0) this.work.push(this.state().work);
+        }
+    }
+
+    time() {
+        return this.steps * this.dt;
+    }
+
+    state() {
+        const all = this.engine.doubles(this.engine.c.live_cycle_state(), CYCLE.length);
+        return Object.fromEntries(CYCLE.map((name, k) => [name, all[k]]));
     }
 }

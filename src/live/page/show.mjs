@@ -7,12 +7,13 @@ import {pairScene} from './pair.mjs';
 import {rimScene} from './rim.mjs';
 import {sampleScene} from './sample.mjs';
 import {slopeScene} from './slope.mjs';
+import {thiefScene} from './thief.mjs';
 import {throwScene} from './throw.mjs';
 import {wheelsScene} from './wheels.mjs';
 import {whoScene} from './who.mjs';
 
 export const SCENES =
-    [rimScene, wheelsScene, pairScene, coinScene, throwScene, carpetScene, whoScene, slopeScene, gearsScene, sampleScene];
+    [rimScene, wheelsScene, pairScene, coinScene, throwScene, carpetScene, whoScene, thiefScene, slopeScene, gearsScene, sampleScene];
 
 /* Inside its range; {value, limited}. NaN: the default. */
 export function limit(control, value) {
