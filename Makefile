@@ -431,7 +431,7 @@ $(GALLERY)/index.html: $(wildcard figures/gallery/* src/draw/words_*.h $(RUNS)/*
 # their place. Of one and the same flags, but those of src/live/wasm.c.
 WASM     := $(BUILD)/wasm
 WASM_SRC := $(filter-out src/base/program.c src/base/threads.c,$(wildcard $(patsubst %,src/%/*.c,base scene laws core patch api live))) \
-            src/broad/pairs.c
+            src/broad/pairs.c src/study/inside.c
 WASM_OBJ := $(WASM_SRC:%=$(WASM)/%.o)
 WASM_CC  := clang-14 --target=wasm32-wasi
 $(WASM)/src/live/wasm.c.o: WASM_FLAGS := -fno-builtin

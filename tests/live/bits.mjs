@@ -2,6 +2,7 @@
 // What native.c does, in WebAssembly. usage: node bits.mjs ENGINE.mjs LIVE.wasm STEPS CASE.yaml...
 //                                        or: node bits.mjs ENGINE.mjs LIVE.wasm card CARD.csv
 //                                        or: node bits.mjs ENGINE.mjs LIVE.wasm cycle R1,R2,overlap,du,dtheta,STEPS,LAWS...
+//                                        or: node bits.mjs ENGINE.mjs LIVE.wasm patch CASE.yaml PATCH.csv
 import {readFileSync} from 'node:fs';
 const [enginePath, wasm, what, ...files] = process.argv.slice(2);
 const {loadEngine} = await import(enginePath);
@@ -40,6 +41,19 @@ function card(file) {
     console.log(`${same} values of ${rows.length} motions are the same`);
 }
 
+// The last instant of patch.csv: x, p, tau, slip of each element.
+function patch(path, csv) {
+    const rows = readFileSync(csv, 'utf8').trim().split('\n').map(line => line.split(',')), head = rows.shift();
+    const columns = ['x_m', 'p_Pa', 'tau_Pa', 'slip_m', 'stick'].map(name => head.indexOf(name)),
+          step = Number(rows[rows.length - 1][1]), last = rows.filter(row => Number(row[1]) === step);
+    const inside = engine.inside(readFileSync(path, 'utf8'));
+    inside.step(step);
+    const all = inside.elements();
+    const same = last.filter((row, i) => [all[i].x, all[i].p, all[i].tau, all[i].slip, Number(all[i].side === 0)].every(
+                                 (value, k) => value === Number(row[columns[k]])));
+    console.log(`${same.length} of ${all.length} elements are the same`);
+}
+
 // All bits of a number.
 function bits(x) {
     return new DataView(new Float64Array([x]).buffer).getBigUint64(0, true).toString(16);
@@ -47,6 +61,8 @@ function bits(x) {
 
 if (what === 'card')
     card(files[0]);
+else if (what === 'patch')
+    patch(...files);
 else if (what === 'cycle')
     for (const text of files) {
         const [R1, R2, overlap, du, dtheta, steps, ...laws] = text.split(',');

@@ -6,7 +6,7 @@ import {openBrowser} from './browser.mjs';
 
 const [program, folder, page, shots] = process.argv.slice(2);
 const b = await openBrowser(program, folder), url = `file://${page}`;
-const scenes = ['rim', 'wheels', 'pair', 'coin', 'throw', 'carpet', 'who', 'thief', 'slope', 'gears', 'sample'],
+const scenes = ['rim', 'wheels', 'pair', 'coin', 'throw', 'carpet', 'who', 'thief', 'slope', 'gears', 'inside', 'sample'],
       ready = 'window.app?.run != null';
 
 async function check(name, work) {
@@ -132,7 +132,7 @@ for (const [width, height] of [[1920, 1080], [1024, 768], [390, 844]])
         await b.size(width, height);
         for (const scene of scenes.slice(0, -1)) {
             await b.open('about:blank', 'true');
-            await b.dark(['pair', 'throw', 'carpet', 'gears'].includes(scene));
+            await b.dark(['pair', 'throw', 'carpet', 'thief', 'gears'].includes(scene));
             await b.open(`${url}#${scene}`, ready);
             await b.key('2');
             await b.until('app.told > 0');

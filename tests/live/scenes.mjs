@@ -73,6 +73,23 @@ for (const thiefBy of ['bagi-kuhn', 'alonso-min', 'alonso-mean']) {
     const made = at('thief', {thiefLaw: 'passive-spring', thiefBy}).world.state().work;
     if (made > 1e-8) console.log(`thief: a passive spring made ${made} J/m`), bad++;
 }
+// At the end of the push, the stick zone is a sqrt(1 - q) wide on each side, and the slide is that of [Johnson1985 sec. 7.2]
+// with Lambda = 4.5; rolling, the creepage is (mu a/R_star)(1 - sqrt(1 - q)) of the sign of q [Carter1926]. An element of
+// 100 is a fiftieth of a: the edges are good to one each, the slide to the square of it, the steady creepage to 2 %.
+for (const [q, press, mu] of [[.6, 10, .3], [-.3, 25, .5], [.9, 2, .1]]) {
+    const E_star = 70e9 / 2 / .91, P = 1e3 * press, a = Math.sqrt(4 * P * .005 / Math.PI / E_star), size = Math.abs(q);
+    const push = at('inside', {q, press, mu}, .2).run.world.state();
+    close(`inside ${q}: a`, push.a, a, 1e-9 * a), close(`inside ${q}: Q`, push.Q, q * mu * P, 1e-9 * mu * P);
+    close(`inside ${q}: sticks`, push.stick, 2 * a * Math.sqrt(1 - size), .04 * a);
+    const u = 2 * mu * P / Math.PI / E_star * (size * (4.5 + .5) + .5 * (1 - size) * Math.log(1 - size));
+    // Lambda is that of the first force, and no other comes.
+    close(`inside ${q}: slide`, push.u_slide, Math.sign(q) * u, 4e-4 * u);
+    for (const far of [6, -6]) {
+        const now = at('inside', {q, press, mu, far}).run.world.state(), creep = mu * a / .005 * (1 - Math.sqrt(1 - size));
+        close(`inside ${q}, rolls ${far} a: creepage`, now.creepage, Math.sign(q) * creep, .02 * creep);
+        close(`inside ${q}, rolls ${far} a: sticks`, now.stick, 2 * a * Math.sqrt(1 - size), .04 * a);
+    }
+}
 // Rings of an even number turn as gears do, with the spin of the first; in odd ones something slides.
 for (let n = 3; n <= 8; n++) {
     const {world, read} = at('gears', {n}), sliding = number(read.lines[0][1]);

@@ -10,7 +10,7 @@ root=${1:-.}
 
 # Allowed: FOLDER: what it may include besides itself. The drivers in study/ put a whole run together, frames included,
 # so that cli/ is arguments and printing only. api/ is the public library, whose face is trundle.h. live/ is that library
-# in a page, with what a page has not in place of scene/'s and broad/'s libraries.
+# in a page, with what a page has not in place of scene/'s and broad/'s libraries, and with study/inside.
 arrows='
 base:
 scene: base
@@ -24,7 +24,7 @@ study: base scene laws patch core out draw
 verify: base scene laws patch broad core out draw study
 cli: base scene laws patch broad core out draw study verify
 api: base scene laws core trundle.h
-live: base scene broad trundle.h
+live: base scene laws broad study trundle.h
 '
 sources() { find "$root/src" -name '*.[ch]' -o -name '*.cpp' -o -name '*.hpp' | sort; }
 

@@ -98,6 +98,13 @@ class Engine {
         return new Cycle(this);
     }
 
+    /* The inside of one contact along the path of a case of kind: patch. */
+    inside(text) {
+        this.write(text);
+        this.check(this.c.live_inside_open());
+        return new Inside(this);
+    }
+
     /* motion: {R1, R2, x1, y1, vx1, vy1, w1, x2, ...}, what is missing is 0; R1 Infinity: a floor. By each
      * definition. */
     measure(motion) {
@@ -203,5 +210,42 @@ class Cycle {
     state() {
         const all = this.engine.doubles(this.engine.c.live_cycle_state(), CYCLE.length);
         return Object.fromEntries(CYCLE.map((name, k) => [name, all[k]]));
+    }
+}
+
+const INSIDE =
+    ['steps', 'n', 'rolls', 'P', 'a', 'Q', 'q', 'u_slide', 'u_roll', 'creepage', 'stick', 'dissipated'];
+
+/* It steps as a world does, 50 steps a second. */
+class Inside {
+    constructor(engine) {
+        this.engine = engine;
+        this.dt = 1 / 50;
+        this.steps = 0;
+    }
+
+    step(n) {
+        this.engine.check(this.engine.c.live_inside_go(n));
+        this.steps = this.state().steps;
+    }
+
+    time() {
+        return this.steps * this.dt;
+    }
+
+    state() {
+        const all = this.engine.doubles(this.engine.c.live_inside_state(), INSIDE.length);
+        return Object.fromEntries(INSIDE.map((name, k) => [name, all[k]]));
+    }
+
+    elements() {
+        const n = this.state().n, all = this.engine.doubles(this.engine.c.live_inside_elements(), 5 * n);
+        return Array.from({length: n}, (_, i) => ({
+                                           x: all[5 * i],
+                                           p: all[5 * i + 1],
+                                           tau: all[5 * i + 2],
+                                           slip: all[5 * i + 3],
+                                           side: all[5 * i + 4]
+                                       }));
     }
 }

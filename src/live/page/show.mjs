@@ -3,6 +3,7 @@
 import {carpetScene} from './carpet.mjs';
 import {coinScene} from './coin.mjs';
 import {gearsScene} from './gears.mjs';
+import {insideScene} from './inside.mjs';
 import {pairScene} from './pair.mjs';
 import {rimScene} from './rim.mjs';
 import {sampleScene} from './sample.mjs';
@@ -13,7 +14,7 @@ import {wheelsScene} from './wheels.mjs';
 import {whoScene} from './who.mjs';
 
 export const SCENES =
-    [rimScene, wheelsScene, pairScene, coinScene, throwScene, carpetScene, whoScene, thiefScene, slopeScene, gearsScene, sampleScene];
+    [rimScene, wheelsScene, pairScene, coinScene, throwScene, carpetScene, whoScene, thiefScene, slopeScene, gearsScene, insideScene, sampleScene];
 
 /* Inside its range; {value, limited}. NaN: the default. */
 export function limit(control, value) {
