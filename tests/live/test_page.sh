@@ -6,8 +6,8 @@ set -u
 # shellcheck source=tests/system/tap.sh
 . "$(dirname "$0")/../system/tap.sh"
 BUILD=${BUILD:-build/release}
-for tool in chromium node clang-14 wasm-ld-14 wasm-opt; do
-    command -v $tool >/dev/null && continue
+for tool in chromium node clang-14 wasm-ld-14 wasm-opt file:/usr/include/wasm32-wasi/stdio.h wasm-rt; do
+    .ci/packages has "$tool" && continue
     skip 'the page in a browser' "no $tool"
     finish
 done
