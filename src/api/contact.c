@@ -58,7 +58,7 @@ static void place(trundle_contact *c, const trundle_body *one, const trundle_bod
     const tr_disks *d = &c->world.disks;
     const trundle_body *disk[] = {c->plane ? two : one, two};
     for (int i = 0; i < d->n; i++) {
-        double *pos = d->pos + 4 * (size_t)i, *vel = d->vel + 4 * (size_t)i;
+        double *pos = d->pos + tr_body(i), *vel = d->vel + tr_body(i);
         pos[0] = disk[i]->x, pos[1] = disk[i]->y;
         vel[0] = disk[i]->vx, vel[1] = disk[i]->vy, vel[2] = disk[i]->spin;
     }
@@ -110,7 +110,7 @@ void trundle_contact_free(trundle_contact *c) {
 void trundle_contact_reset(trundle_contact *c) {
     const tr_disks *d = &c->world.disks;
     tr_group *g = &c->world.group[c->plane ? 1 : c->world.n_rings ? c->world.n_groups - 1 : 0];
-    const double far = 4 * (d->pos[3] + d->pos[4 * (size_t)(d->n - 1) + 3]);
+    const double far = 4 * (d->pos[3] + d->pos[tr_body(d->n - 1) + TR_RADIUS]);
     tr_status st = {0};
     trundle_body two = {.x = c->world.n_rings ? 0 : far, .y = 0}; /* the middle of a ring is nowhere near it */
     if (c->plane) two.x = far * c->world.wall->nx, two.y = far * c->world.wall->ny;
@@ -140,7 +140,7 @@ int trundle_contact_step(trundle_contact *c, double dt, const trundle_body *one,
                          trundle_force *force, trundle_error *error) {
     tr_status st = {0};
     const tr_disks *d = &c->world.disks;
-    const double *on2 = d->force + 4 * (size_t)(d->n - 1);
+    const double *on2 = d->force + tr_body(d->n - 1);
     *force = (trundle_force){0};
     if (!can_step(c, dt, one, two, &st)) return tr_api_tell(&st, error);
     c->world.dt = dt;

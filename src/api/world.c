@@ -120,7 +120,7 @@ int trundle_world_disk(const trundle_world *w, int i, trundle_disk *disk, trundl
     const tr_disks *d = &w->world->disks;
     double v[3];
     if (!has(w, i)) return fail(error, TR_BAD_CASE, "there is no disk with that number");
-    const double *pos = d->pos + 4 * (size_t)i, *force = d->force + 4 * (size_t)i;
+    const double *pos = d->pos + tr_body(i), *force = d->force + tr_body(i);
     tr_bodies_velocity(w->world, i, v);
     *disk = (trundle_disk){.x = pos[0],
                            .y = pos[1],
@@ -143,7 +143,7 @@ int trundle_world_set_velocity(trundle_world *w, int i, double vx, double vy, do
     const tr_disks *d = &w->world->disks;
     bool orbit = w->world == &w->bodies.world && w->scene->disks[i].motion == TR_ORBIT; /* which gives vx and vy */
     for (size_t k = orbit ? 2 : 0; k < 3; k++) { /* half a step back, as it is kept */
-        size_t lane = 4 * (size_t)i + k;
+        size_t lane = tr_body(i) + k;
         d->vel[lane] = v[k] - 0.5 * w->world->dt * d->inv[lane] * d->force[lane];
     }
     return fail(error, TR_OK, "");

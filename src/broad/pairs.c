@@ -3,6 +3,7 @@
 #include "broad/broad_internal.h"
 
 #include "base/alloc.h"
+#include "base/lanes.h"
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
@@ -32,7 +33,7 @@ void tr_pairs_free(tr_pairs *pairs) {
 
 bool tr_broad_check(const tr_broad_input *input, tr_status *st) {
     for (int i = 0; i < input->n; i++) {
-        const double *p = input->pos + 4 * (size_t)i;
+        const double *p = input->pos + tr_body(i);
         if (!(isfinite(p[0]) && isfinite(p[1]) && isfinite(p[3])))
             return tr_status_fail(st, TR_NUMERICAL, "error: position of disk %d is not finite (%g, %g)", i, p[0], p[1]);
     }
@@ -40,7 +41,7 @@ bool tr_broad_check(const tr_broad_input *input, tr_status *st) {
 }
 
 bool tr_broad_near(const tr_broad_input *input, int a, int b) {
-    const double *p = input->pos + 4 * (size_t)a, *q = input->pos + 4 * (size_t)b;
+    const double *p = input->pos + tr_body(a), *q = input->pos + tr_body(b);
     double dx = q[0] - p[0], dy = q[1] - p[1], reach = p[3] + q[3] + input->skin;
     if (input->cell) {
         dx += tr_broad_image(p[0], q[0], input->cell[0]) * input->cell[0];

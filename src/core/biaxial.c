@@ -129,7 +129,8 @@ bool tr_biaxial_init(tr_biaxial *b, const tr_scene *scene, tr_status *st) {
     if (!placed) return tr_biaxial_free(b), false;
     if (!*scene->sample.file) side[1] = side[0];
     b->disk_area = tr_measures_disk_area(&b->world.disks);
-    for (int i = 0; i < n; i++) mass += b->world.disks.mass[i], radius_sum += b->world.disks.pos[4 * (size_t)i + 3];
+    const tr_disks *d = &b->world.disks;
+    for (int i = 0; i < n; i++) mass += d->mass[i], radius_sum += d->pos[tr_body(i) + TR_RADIUS];
     b->mean_mass = mass / n, b->mean_radius = radius_sum / n;
 
     /* side of the dense sample, for the mass of a row of disks and for the speed of an inertial number */
@@ -202,7 +203,8 @@ static bool fail_soft(const tr_biaxial *b, tr_status *st) {
     if (!c->found) return false;
     const tr_scene_shear *shear = &b->scene->shear;
     const tr_group_law *normal = &world->group[c->walls].laws[TR_NORMAL];
-    const double *pos = world->disks.pos, R1 = c->walls ? 0 : pos[4 * (size_t)c->a + 3], R2 = pos[4 * (size_t)c->b + 3];
+    const double *pos = world->disks.pos, R1 = c->walls ? 0 : pos[tr_body(c->a) + TR_RADIUS];
+    const double R2 = pos[tr_body(c->b) + TR_RADIUS];
     double one = fmax(stress(b, TR_TOP_WALL), stress(b, TR_RIGHT_WALL)),
            two = fmin(stress(b, TR_TOP_WALL), stress(b, TR_RIGHT_WALL)), R = c->walls ? R2 : fmin(R1, R2);
     double most = (shear->hold == TR_HOLD_MEAN ? 1.75 : 6) * shear->lateral_pressure; /* both at sin phi = 0.72 */

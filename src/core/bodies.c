@@ -17,8 +17,8 @@ static void aim(tr_bodies *b, double time) {
     for (int i = 0; i < all->n; i++) {
         const tr_scene_disk *d = &b->scene->disks[i];
         if (d->motion != TR_ORBIT) continue;
-        const double *pos = all->pos + 4 * (size_t)i, c = tr_cos(d->orbit * time), s = tr_sin(d->orbit * time);
-        double *vel = all->vel + 4 * (size_t)i, x = d->x - d->orbit_x, y = d->y - d->orbit_y;
+        const double *pos = all->pos + tr_body(i), c = tr_cos(d->orbit * time), s = tr_sin(d->orbit * time);
+        double *vel = all->vel + tr_body(i), x = d->x - d->orbit_x, y = d->y - d->orbit_y;
         vel[0] = (d->orbit_x + c * x - s * y - pos[0]) / b->world.dt;
         vel[1] = (d->orbit_y + s * x + c * y - pos[1]) / b->world.dt;
     }
@@ -30,8 +30,8 @@ static void circle(tr_bodies *b) {
     for (int i = 0; i < all->n; i++) {
         const tr_scene_disk *d = &b->scene->disks[i];
         if (d->motion != TR_ORBIT) continue;
-        const double *pos = all->pos + 4 * (size_t)i;
-        double *vel = all->vel + 4 * (size_t)i;
+        const double *pos = all->pos + tr_body(i);
+        double *vel = all->vel + tr_body(i);
         vel[0] = -d->orbit * (pos[1] - d->orbit_y), vel[1] = d->orbit * (pos[0] - d->orbit_x);
     }
 }
@@ -44,7 +44,7 @@ static void weigh(tr_bodies *b) {
         const tr_scene_pull *pull = &b->scene->disks[i].pull;
         const double force[] = {d->mass[i] * g[0] + pull->force * tr_cos(pull->angle),
                                 d->mass[i] * g[1] + pull->force * tr_sin(pull->angle)};
-        for (int k = 0; k < 2; k++) d->load[4 * i + k] = d->inv[4 * i + k] > 0 ? force[k] : 0;
+        for (int k = 0; k < 2; k++) d->load[tr_body(i) + k] = d->inv[tr_body(i) + k] > 0 ? force[k] : 0;
     }
 }
 
@@ -69,11 +69,11 @@ static bool fill(tr_bodies *b, const tr_scene *scene, tr_status *st) {
         world->n_rings += d->ring > 0;
         if (d->inertia > 0)
             tr_world_set_inertia(world, i, d->inertia * world->disks.mass[i] * d->radius * d->radius);
-        double *vel = world->disks.vel + 4 * (size_t)i, *inv = world->disks.inv + 4 * (size_t)i;
+        double *vel = world->disks.vel + tr_body(i), *inv = world->disks.inv + tr_body(i);
         vel[0] = d->vx, vel[1] = d->vy, vel[2] = d->spin;
         if (d->motion != TR_FREE && d->motion != TR_DRIVEN) inv[0] = inv[1] = 0;
         if (d->motion != TR_FREE && d->motion != TR_PINNED) inv[2] = 0;
-        if (load) world->disks.load[4 * i + 2] = d->torque + d->pull.force * d->pull.radius;
+        if (load) world->disks.load[tr_body(i) + TR_TURN] = d->torque + d->pull.force * d->pull.radius;
     }
     weigh(b);
     circle(b);
@@ -108,7 +108,7 @@ bool tr_bodies_init(tr_bodies *b, const tr_scene *scene, tr_status *st) {
               tr_world_set_laws(world, &scene->contact, false, TR_SINK_ARCS, st) && choose_step(b, scene, st) &&
               tr_resolution_check(b, st) && tr_step_forces(world, st);
     if (!ok) return tr_bodies_free(b), false;
-    for (int k = 0; k < 4 * world->disks.n; k++)
+    for (int k = 0; k < TR_LANES * world->disks.n; k++)
         world->disks.vel[k] -= 0.5 * world->dt * world->disks.inv[k] * world->disks.force[k];
     world->fresh = true;
     world->contact_updates = 0;

@@ -12,7 +12,7 @@ void tr_bodies_gravity(const tr_bodies *b, double gravity[2]) {
 
 void tr_bodies_velocity(const tr_world *world, int i, double velocity[3]) {
     for (int k = 0; k < 3; k++) {
-        int lane = 4 * i + k;
+        int lane = TR_LANES * i + k;
         velocity[k] = world->disks.vel[lane] + 0.5 * world->dt * world->disks.inv[lane] * world->disks.force[lane];
     }
 }

@@ -25,10 +25,10 @@ void tr_cell_wrap(tr_world *world) {
     const tr_disks *d = &world->disks;
     for (int axis = 0; axis < 2 && c->side[axis] > 0; axis++)
         for (int i = 0; i < d->n; i++) {
-            double *x = d->pos + 4 * (size_t)i + axis, n = tr_broad_image(0, *x, c->side[axis]);
+            double *x = d->pos + tr_body(i) + axis, n = tr_broad_image(0, *x, c->side[axis]);
             if (n == 0) continue;
             *x += n * c->side[axis];
-            d->vel[4 * (size_t)i + (size_t)axis] += n * c->rate[axis];
+            d->vel[tr_body(i) + (size_t)axis] += n * c->rate[axis];
             world->wide_ref[2 * (size_t)i + (size_t)axis] += n * world->wide_extent.side[axis];
         }
 }
@@ -55,7 +55,8 @@ void tr_cell_advance(tr_world *world) {
 }
 
 TR_VECTOR void tr_cell_shift(const tr_periodic_cell *cell, const tr_group *g, tr_tile *restrict tile) {
-    const double *restrict nx = g->pair[3] + tile->first, *restrict ny = g->pair[4] + tile->first;
+    const double *restrict nx = g->pair[TR_PAIR_IMAGE_X] + tile->first, *restrict ny =
+                                                                            g->pair[TR_PAIR_IMAGE_Y] + tile->first;
     double Lx = cell->side[0], Ly = cell->side[1], rate_x = cell->rate[0], rate_y = cell->rate[1];
     for (int i = 0; i < tile->n; i++) {
         tile->dx[i] += nx[i] * Lx, tile->dy[i] += ny[i] * Ly;
@@ -74,7 +75,7 @@ double tr_cell_kinetic_work(const tr_world *world, int axis) {
     const tr_disks *d = &world->disks;
     double flow = tr_cell_strain_rate(c, axis), before = c->side[axis] - world->dt * c->rate[axis], sum = 0;
     for (int i = 0; i < d->n; i++) {
-        size_t k = 4 * (size_t)i + (size_t)axis;
+        size_t k = tr_body(i) + (size_t)axis;
         double v = d->vel[k] - flow * d->pos[k];
         sum += d->mass[i] * v * v;
     }

@@ -20,11 +20,11 @@ static void check_pairs(tr_checkpoint *c, const int *a, const int *b, int n, int
 static void keep_disks(tr_world *world, tr_checkpoint *c) {
     const tr_disks *d = &world->disks;
     bool ok = true;
-    TR_KEEP(c, d->pos, 4 * d->n);
-    TR_KEEP(c, d->vel, 4 * d->n);
-    for (int i = 0; i < world->n_rings; i++) ok = ok && d->pos[4 * (size_t)i + 3] < 0;
+    TR_KEEP(c, d->pos, TR_LANES * d->n);
+    TR_KEEP(c, d->vel, TR_LANES * d->n);
+    for (int i = 0; i < world->n_rings; i++) ok = ok && d->pos[tr_body(i) + TR_RADIUS] < 0;
     for (int i = world->n_rings; i < d->n; i++)
-        ok = ok && d->pos[4 * (size_t)i + 3] > 0 && d->pos[4 * (size_t)i + 3] <= world->r_max;
+        ok = ok && d->pos[tr_body(i) + TR_RADIUS] > 0 && d->pos[tr_body(i) + TR_RADIUS] <= world->r_max;
     tr_checkpoint_check(c, ok, "a radius");
 }
 

@@ -19,15 +19,15 @@
 #include <string.h>
 
 static void copy_centres(const tr_disks *d, double *ref) {
-    for (int i = 0; i < d->n; i++) ref[2 * i] = d->pos[4 * i], ref[2 * i + 1] = d->pos[4 * i + 1];
+    for (int i = 0; i < d->n; i++) ref[2 * i] = d->pos[tr_body(i)], ref[2 * i + 1] = d->pos[tr_body(i) + TR_Y];
 }
 
 /* Less the stretch. */
 static double largest_move(const tr_disks *d, const double *ref, const tr_stretch *s) {
     double largest = 0;
     for (int i = 0; i < d->n; i++) {
-        double dx = d->pos[4 * i] - (s->scale[0] * ref[2 * i] + s->offset[0]);
-        double dy = d->pos[4 * i + 1] - (s->scale[1] * ref[2 * i + 1] + s->offset[1]);
+        double dx = d->pos[tr_body(i)] - (s->scale[0] * ref[2 * i] + s->offset[0]);
+        double dy = d->pos[tr_body(i) + TR_Y] - (s->scale[1] * ref[2 * i + 1] + s->offset[1]);
         double square = dx * dx + dy * dy;
         largest = square > largest ? square : largest;
     }
@@ -45,7 +45,7 @@ static bool is_near_whole(const tr_world *world, const tr_extent *now) {
 static bool search(tr_world *world, tr_status *st) {
     const double *cell = world->cell.side[0] > 0 ? world->cell.side : NULL;
     const int rings = world->n_rings; /* which are in no pair of the broad phase */
-    tr_broad_input input = {world->disks.n - rings, world->disks.pos + 4 * (size_t)rings, world->wide_skin, cell,
+    tr_broad_input input = {world->disks.n - rings, world->disks.pos + tr_body(rings), world->wide_skin, cell,
                             world->threads};
     world->wide_extent = tr_stretch_extent(world);
     copy_centres(&world->disks, world->wide_ref);
@@ -80,7 +80,7 @@ static bool fail_crushed(tr_world *world, bool walls, int a, int b, double delta
 }
 
 static double wall_overlap(const tr_world *world, int wall, int i) {
-    const double *pos = world->disks.pos + 4 * (size_t)i;
+    const double *pos = world->disks.pos + tr_body(i);
     return pos[3] - tr_wall_distance(&world->wall[wall], pos);
 }
 
@@ -88,7 +88,7 @@ static double wall_overlap(const tr_world *world, int wall, int i) {
 static bool check_walls(tr_world *world, tr_status *st) {
     for (int w = 0; w < world->n_walls; w++)
         for (int i = world->n_rings; i < world->disks.n; i++) {
-            double R = world->disks.pos[4 * (size_t)i + 3], delta = wall_overlap(world, w, i);
+            double R = world->disks.pos[tr_body(i) + TR_RADIUS], delta = wall_overlap(world, w, i);
             if (delta > TR_LARGEST_OVERLAP * R) return fail_crushed(world, true, w, i, delta, R, st);
         }
     return true;
@@ -110,7 +110,7 @@ static bool list_walls(tr_world *world, int group, tr_status *st) {
 static bool check_rings(tr_world *world, tr_status *st) {
     for (int a = 0; a < world->n_rings; a++)
         for (int i = world->n_rings; i < world->disks.n; i++) {
-            const double *p = world->disks.pos + 4 * (size_t)a, *q = world->disks.pos + 4 * (size_t)i;
+            const double *p = world->disks.pos + tr_body(a), *q = world->disks.pos + tr_body(i);
             double delta = -tr_world_gap(p, q);
             if (delta > TR_LARGEST_OVERLAP * q[3]) return fail_crushed(world, false, a, i, delta, q[3], st);
         }
@@ -121,7 +121,7 @@ static bool list_rings(tr_world *world, tr_group *g, tr_status *st) {
     tr_list_begin(g);
     for (int a = 0; a < world->n_rings; a++)
         for (int i = world->n_rings; i < world->disks.n; i++) {
-            const double *p = world->disks.pos + 4 * (size_t)a, *q = world->disks.pos + 4 * (size_t)i;
+            const double *p = world->disks.pos + tr_body(a), *q = world->disks.pos + tr_body(i);
             if (tr_world_gap(p, q) >= world->thin_skin) continue;
             if (!tr_list_reserve(g, g->n + 1, st)) return false;
             g->a[g->n] = a, g->b[g->n++] = i;
@@ -150,7 +150,7 @@ static void pick(void *context, int k) {
     int low = tr_threads_chunk(near->n, k, p->threads), high = tr_threads_chunk(near->n, k + 1, p->threads);
     int to = low, crushed = near->n;
     for (int i = low; i < high; i++) {
-        const double *one = pos + 4 * (size_t)near->a[i], *two = pos + 4 * (size_t)near->b[i];
+        const double *one = pos + tr_body(near->a[i]), *two = pos + tr_body(near->b[i]);
         double d[2] = {two[0] - one[0], two[1] - one[1]}, reach = one[3] + two[3];
         for (int axis = 0; axis < 2 && side[axis] > 0; axis++)
             d[axis] += side[axis] * tr_broad_image(one[axis], two[axis], side[axis]);
@@ -187,7 +187,7 @@ static bool pick_disks(pruning *p, tr_status *st) {
     for (int k = 0; k < p->threads; k++) crushed = p->share[k].crushed < crushed ? p->share[k].crushed : crushed;
     if (crushed == near->n) return true;
     int a = near->a[crushed], b = near->b[crushed];
-    const double *one = world->disks.pos + 4 * (size_t)a, *two = world->disks.pos + 4 * (size_t)b;
+    const double *one = world->disks.pos + tr_body(a), *two = world->disks.pos + tr_body(b);
     double delta = one[3] + two[3] - tr_cell_distance(&world->cell, one, two, NULL);
     return fail_crushed(world, false, a, b, delta, fmin(one[3], two[3]), st);
 }
@@ -207,7 +207,7 @@ static bool list_disks(pruning *p, tr_status *st) {
 static bool check_finite(const tr_world *world, tr_status *st) {
     const double *pos = world->disks.pos, *vel = world->disks.vel;
     for (int i = 0; i < world->disks.n; i++) {
-        const size_t k = 4 * (size_t)i;
+        const size_t k = tr_body(i);
         double zero = 0 * (pos[k] + pos[k + 1] + pos[k + 2] + vel[k] + vel[k + 1] + vel[k + 2]); /* of what is finite */
         if (zero == 0) continue;
         char which[32];
@@ -231,8 +231,8 @@ static bool check_step(tr_world *world, tr_status *st) {
 /* A disk that moves too far in one step could pass through another one. */
 static bool check_leap(const tr_world *world, tr_status *st) {
     for (int i = 0; i < world->disks.n; i++) {
-        const double *v = world->disks.vel + 4 * (size_t)i;
-        double leap = TR_LARGEST_OVERLAP * fabs(world->disks.pos[4 * (size_t)i + 3]) / world->dt;
+        const double *v = world->disks.vel + tr_body(i);
+        double leap = TR_LARGEST_OVERLAP * fabs(world->disks.pos[tr_body(i) + TR_RADIUS]) / world->dt;
         if (v[0] * v[0] + v[1] * v[1] <= leap * leap) continue;
         char which[32], what[160];
         snprintf(which, sizeof which, "disk %d", i);

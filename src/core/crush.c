@@ -39,7 +39,7 @@ static bool wall_moves(const tr_wall *w) {
 static bool is_driven(const tr_world *w) {
     bool driven = false;
     for (size_t i = 0; i < (size_t)w->disks.n; i++)
-        driven |= moves_as_given(w->disks.inv + 4 * i, w->disks.vel + 4 * i);
+        driven |= moves_as_given(w->disks.inv + tr_body(i), w->disks.vel + tr_body(i));
     for (int i = 0; i < w->n_walls; i++) driven |= wall_moves(&w->wall[i]);
     return driven;
 }
@@ -48,7 +48,7 @@ static bool is_driven(const tr_world *w) {
 static double kinetic_energy(const tr_world *w) {
     double sum = 0;
     for (int i = 0; i < w->disks.n; i++)
-        for (int k = 4 * i; k < 4 * i + 2; k++)
+        for (int k = TR_LANES * i; k < TR_LANES * i + 2; k++)
             if (w->disks.inv[k] > 0) sum += 0.5 * w->disks.mass[i] * w->disks.vel[k] * w->disks.vel[k];
     return sum;
 }
@@ -56,7 +56,7 @@ static double kinetic_energy(const tr_world *w) {
 void tr_crush_say(const tr_world *world, const tr_crush *crush, char *text, size_t size) {
     const tr_group_law *normal = &tr_world_group(world, crush->walls ? -1 - crush->a : crush->a)->laws[TR_NORMAL];
     const tr_disks *d = &world->disks;
-    const size_t one = 4 * (size_t)(crush->walls ? crush->b : crush->a), two = 4 * (size_t)crush->b;
+    const size_t one = tr_body(crush->walls ? crush->b : crush->a), two = tr_body(crush->b);
     const double *inv1 = d->inv + one, *inv2 = d->inv + two;
     double R1 = crush->walls ? 0 : d->pos[one + 3], R2 = d->pos[two + 3];
     bool given = moves_as_given(inv2, d->vel + two) ||

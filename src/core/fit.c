@@ -61,7 +61,7 @@ bool tr_fit_bodies(const tr_bodies *b, tr_fit *fit) {
     if (!w->wall_laws && !given(&b->scene->contact, 0, 0, &c)) return false; /* pairs take their time */
     for (int i = w->n_rings; i < w->disks.n; i++)
         for (int a = -w->n_walls; a < i; a++) {
-            double R1 = a < 0 ? 0 : w->disks.pos[4 * (size_t)a + 3], R2 = w->disks.pos[4 * (size_t)i + 3];
+            double R1 = a < 0 ? 0 : w->disks.pos[tr_body(a) + TR_RADIUS], R2 = w->disks.pos[tr_body(i) + TR_RADIUS];
             tr_fit now;
             const tr_scene_contact *laws = a < 0 ? tr_world_wall_laws(w, -1 - a) : NULL;
             if (!laws) laws = &b->scene->contact;

@@ -196,7 +196,9 @@ static double in_overlaps(const tr_group *g) {
     const double *delta = g->hist[block(g, TR_NORMAL) + DELTA];
     double energy = 0;
     for (int i = 0; i < g->n; i++)
-        if (delta[i] > 0) energy += normal->law->elastic(normal->par, g->pair[0][i], g->pair[1][i], delta[i]).energy;
+        if (delta[i] > 0)
+            energy +=
+                normal->law->elastic(normal->par, g->pair[TR_PAIR_R1][i], g->pair[TR_PAIR_R2][i], delta[i]).energy;
     return energy;
 }
 
@@ -216,7 +218,7 @@ tr_energy tr_ledger_read(const tr_world *world) {
     /* K = ½ m v^(n-1/2) v^(n+1/2), the latter = v + dt F/m; in a cell v is relative to its homogeneous flow */
     const double flow[3] = {tr_cell_strain_rate(&world->cell, 0), tr_cell_strain_rate(&world->cell, 1), 0};
     for (int i = 0; i < d->n; i++)
-        for (int lane = 0, k = 4 * i; lane < 3; lane++, k++) {
+        for (int lane = 0, k = TR_LANES * i; lane < 3; lane++, k++) {
             double v = d->vel[k] - flow[lane] * d->pos[k];
             if (d->inv[k] > 0) e.kinetic += 0.5 * v * (v / d->inv[k] + world->dt * d->force[k]);
         }

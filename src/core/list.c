@@ -119,13 +119,14 @@ static void new_pairs(void *context, int k) {
     int high = first_of(r, k + 1);
     for (int i = first_of(r, k); i < high; i++) {
         if (g->source[i] >= 0) continue;
-        double R1 = g->walls ? 0 : pos[4 * (size_t)g->a[i] + 3], R2 = pos[4 * (size_t)g->b[i] + 3];
-        g->pair[0][i] = R1, g->pair[1][i] = R2, g->pair[2][i] = g->walls ? 1 : R1 / (R1 + R2);
+        double R1 = g->walls ? 0 : pos[tr_body(g->a[i]) + TR_RADIUS], R2 = pos[tr_body(g->b[i]) + TR_RADIUS];
+        g->pair[TR_PAIR_R1][i] = R1, g->pair[TR_PAIR_R2][i] = R2;
+        g->pair[TR_PAIR_G1][i] = g->walls ? 1 : R1 / (R1 + R2);
     }
     for (int i = first_of(r, k); i < high && !g->walls && cell->side[0] > 0; i++)
         for (int axis = 0; axis < 2; axis++) {
-            double p = pos[4 * (size_t)g->a[i] + (size_t)axis], q = pos[4 * (size_t)g->b[i] + (size_t)axis];
-            g->pair[3 + axis][i] = tr_broad_image(p, q, cell->side[axis]);
+            double p = pos[tr_body(g->a[i]) + (size_t)axis], q = pos[tr_body(g->b[i]) + (size_t)axis];
+            g->pair[TR_PAIR_IMAGE_X + axis][i] = tr_broad_image(p, q, cell->side[axis]);
         }
 }
 

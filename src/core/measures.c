@@ -24,7 +24,8 @@ tr_measures tr_measures_of(const tr_world *world, const tr_record *records, int 
         moved += fabs(c->v_r) + fabs(c->v_s);
     }
     int disks = world->disks.n;
-    for (int i = 0; i < disks; i++) net += tr_hypot(world->disks.force[4 * i], world->disks.force[4 * i + 1]);
+    for (int i = 0; i < disks; i++)
+        net += tr_hypot(world->disks.force[tr_body(i)], world->disks.force[tr_body(i) + TR_Y]);
     m.coordination = ends / disks;
     if (pairs) {
         m.sliding_fraction = (double)sliding / pairs;
@@ -38,6 +39,7 @@ tr_measures tr_measures_of(const tr_world *world, const tr_record *records, int 
 
 double tr_measures_disk_area(const tr_disks *disks) {
     double area = 0;
-    for (int i = 0; i < disks->n; i++) area += M_PI * disks->pos[4 * i + 3] * disks->pos[4 * i + 3];
+    for (int i = 0; i < disks->n; i++)
+        area += M_PI * disks->pos[tr_body(i) + TR_RADIUS] * disks->pos[tr_body(i) + TR_RADIUS];
     return area;
 }

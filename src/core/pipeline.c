@@ -41,7 +41,7 @@ static tr_pass_run *kinematics_of(const tr_group *g, const tr_arms *arms) {
 static void group_choose(tr_group *g, const tr_scene_contact *contact, bool normal_only, tr_shape shape, bool images) {
     g->shape = shape;
     g->rolling_velocity = contact->rolling_velocity;
-    g->n_pair = images ? 5 : 3;
+    g->n_pair = images ? TR_PAIR_IN_CELL : TR_PAIR_ALL;
     group_take(g, TR_NORMAL, tr_laws_normal[contact->normal.law], &contact->normal);
     group_take(g, TR_FRICTION, normal_only ? &tr_friction_none : tr_laws_friction[contact->friction.law],
                &contact->friction);
@@ -98,7 +98,7 @@ bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool sm
     world->r_max = 0;
     const int first = world->n_rings, n = world->disks.n - first;
     for (int i = first; i < world->disks.n; i++) {
-        double R = world->disks.pos[4 * (size_t)i + 3];
+        double R = world->disks.pos[tr_body(i) + TR_RADIUS];
         sum += 2 * R, r_min = fmin(r_min, R), world->r_max = fmax(world->r_max, R);
     }
     world->wide_skin = WIDE_SKIN * sum / n;
@@ -124,7 +124,7 @@ bool tr_world_set_laws(tr_world *world, const tr_scene_contact *contact, bool sm
     }
     if (world->finder) world->broad->destroy(world->finder);
     world->finder =
-        world->broad->create(&(tr_broad_input){n, world->disks.pos + 4 * (size_t)first, world->wide_skin, NULL, NULL}, st);
+        world->broad->create(&(tr_broad_input){n, world->disks.pos + tr_body(first), world->wide_skin, NULL, NULL}, st);
     return world->finder != NULL;
 }
 

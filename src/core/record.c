@@ -40,7 +40,7 @@ static void collect(void *context, tr_group *g, tr_tile *tile) {
         if (tile->delta[i] > 0) kept[n++] = i;
     for (int j = 0; j < n; j++) {
         int i = kept[j], a = g->a[tile->first + i], b = g->b[tile->first + i];
-        const double *q = c->world->disks.pos + 4 * (size_t)b;
+        const double *q = c->world->disks.pos + tr_body(b);
         out[j] = (tr_record){
             .a = g->walls ? -1 - a : a,
             .b = b,

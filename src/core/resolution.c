@@ -14,7 +14,7 @@ static double spacing(double x) {
 }
 
 static bool is_free(const tr_world *w, int i) {
-    return w->disks.inv[4 * (size_t)i] > 0;
+    return w->disks.inv[tr_body(i)] > 0;
 }
 
 /* Duration of the run [s]; gravity, and its part along which bodies may fall: walls take the normal part, and held
@@ -75,7 +75,7 @@ static double smaller(const pair *p) {
 
 static pair wall_pair(const run *r, int wall, int i) {
     const tr_wall *w = &r->b->world.wall[wall];
-    const double *q = r->b->world.disks.pos + 4 * (size_t)i;
+    const double *q = r->b->world.disks.pos + tr_body(i);
     pair p = {.a = -1 - wall, .b = i, .R2 = q[3], .gap = tr_wall_distance(w, q) - q[3]};
     tr_wall_touch touch = tr_wall_nearest(w, q);
     double v[3], one[2], two[2];
@@ -89,7 +89,7 @@ static pair wall_pair(const run *r, int wall, int i) {
 
 static pair pair_of(const run *r, int a, int i) {
     if (a < 0) return wall_pair(r, -1 - a, i);
-    const double *c = r->b->world.disks.pos + 4 * (size_t)a, *q = r->b->world.disks.pos + 4 * (size_t)i;
+    const double *c = r->b->world.disks.pos + tr_body(a), *q = r->b->world.disks.pos + tr_body(i);
     pair p = {.a = a, .b = i, .R1 = c[3], .R2 = q[3], .gap = tr_world_gap(c, q)};
     double v1[3], v2[3], one[2], two[2];
     tr_bodies_velocity(&r->b->world, a, v1);
@@ -104,7 +104,7 @@ static pair pair_of(const run *r, int a, int i) {
 /* The weight of the lighter [N/m] and the energy of a blow of the two [N]; false: they never meet. */
 static bool loads(const run *r, const pair *p, double *weight, double *energy) {
     const tr_disks *d = &r->b->world.disks;
-    double inv_a = p->a < 0 ? 0 : d->inv[4 * (size_t)p->a], inv_b = d->inv[4 * (size_t)p->b], v = p->velocity;
+    double inv_a = p->a < 0 ? 0 : d->inv[tr_body(p->a)], inv_b = d->inv[tr_body(p->b)], v = p->velocity;
     double g = inv_a + inv_b > 0 ? r->gravity : 0;
     *weight = g > 0 ? g / fmax(inv_a, inv_b) : 0;
     *energy = inv_a + inv_b > 0 ? 0.5 * (v * v + 2 * g * fmax(p->gap, 0)) / (inv_a + inv_b) : 0;

@@ -30,7 +30,8 @@ static bool is_free(const grid *g, const double *pos, double x, double y, double
             if (!inside && !(g->side > 0)) continue;
             int cell = (j + g->cells) % g->cells * g->cells + (i + g->cells) % g->cells;
             for (int k = g->head[cell]; k >= 0; k = g->next[k]) {
-                double dx = pos[4 * (size_t)k] - x, dy = pos[4 * (size_t)k + 1] - y, reach = pos[4 * (size_t)k + 3] + R;
+                double dx = pos[tr_body(k)] - x, dy = pos[tr_body(k) + TR_Y] - y,
+                       reach = pos[tr_body(k) + TR_RADIUS] + R;
                 if (g->side > 0) dx -= g->side * rint(dx / g->side), dy -= g->side * rint(dy / g->side);
                 if (dx * dx + dy * dy < reach * reach) return false;
             }
@@ -67,12 +68,12 @@ bool tr_sample_number(tr_world *world, const double *pos, double side, double de
     int n = world->disks.n;
     placed *order = tr_alloc((size_t)n, sizeof *order, st);
     for (int i = 0; order && i < n; i++) {
-        const double *q = pos + 4 * (size_t)i, cells = 65535 / side;
+        const double *q = pos + tr_body(i), cells = 65535 / side;
         order[i] = (placed){n > IN_CACHE ? along_curve((uint32_t)(q[0] * cells), (uint32_t)(q[1] * cells)) : 0, i};
     }
     if (order) qsort(order, (size_t)n, sizeof *order, compare);
     for (int i = 0; order && i < n; i++) {
-        const double *q = pos + 4 * (size_t)order[i].i;
+        const double *q = pos + tr_body(order[i].i);
         tr_world_set_disk(world, i, q[0], q[1], 0, q[3], density, false);
     }
     free(order);
@@ -85,14 +86,14 @@ static bool fill(grid *g, double *pos, int n, double L, tr_random *random) {
     enum { MOST_TRIES = 10000000 };
     for (int c = 0; c < g->cells * g->cells; c++) g->head[c] = -1;
     for (int i = 0; i < n; i++) {
-        double R = pos[4 * (size_t)i + 3], edge = g->side > 0 ? 0 : R, x, y;
+        double R = pos[tr_body(i) + TR_RADIUS], edge = g->side > 0 ? 0 : R, x, y;
         int tries = 0;
         do {
             if (tries++ == MOST_TRIES) return false;
             x = edge + (L - 2 * edge) * tr_random_uniform(random);
             y = edge + (L - 2 * edge) * tr_random_uniform(random);
         } while (!is_free(g, pos, x, y, R));
-        pos[4 * (size_t)i] = x, pos[4 * (size_t)i + 1] = y;
+        pos[tr_body(i)] = x, pos[tr_body(i) + TR_Y] = y;
         int *head = &g->head[cell_of(g, y) * g->cells + cell_of(g, x)];
         g->next[i] = *head, *head = i;
     }
@@ -115,7 +116,7 @@ bool tr_sample_throw(tr_world *world, const tr_scene_sample *sample, bool period
     double *pos = tr_alloc((size_t)n * 4, sizeof *pos, st), area = 0;
     if (!pos) return false;
     for (int i = 0; i < n; i++) {
-        double R = pos[4 * (size_t)i + 3] =
+        double R = pos[tr_body(i) + TR_RADIUS] =
             sample->r_min + (sample->r_max - sample->r_min) * tr_random_uniform(&random);
         area += M_PI * R * R;
     }

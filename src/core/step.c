@@ -74,7 +74,7 @@ TR_VECTOR static int count_moved(int n, double reach, const tr_stretch *s, const
     const double sx = s->scale[0], sy = s->scale[1], ox = s->offset[0], oy = s->offset[1];
     int moved = 0;
     for (int i = 0; i < n; i++) {
-        double dx = pos[4 * i] - (sx * ref[2 * i] + ox), dy = pos[4 * i + 1] - (sy * ref[2 * i + 1] + oy);
+        double dx = pos[tr_body(i)] - (sx * ref[2 * i] + ox), dy = pos[tr_body(i) + TR_Y] - (sy * ref[2 * i + 1] + oy);
         moved += !(dx * dx + dy * dy <= reach * reach);
     }
     return moved;
@@ -114,7 +114,7 @@ static void advance_disks(void *context, int k) {
     int high = tr_threads_chunk(d->n, k + 1, m->threads), moved = 0;
     for (int first = tr_threads_chunk(d->n, k, m->threads); first < high; first += BLOCK) {
         int n = high - first < BLOCK ? high - first : BLOCK;
-        size_t at = 4 * (size_t)first;
+        size_t at = tr_body(first);
         kick_and_drift(4 * n, m->world->dt, d->pos + at, d->vel + at, d->force + at, d->inv + at);
         moved += count_moved(n, m->reach, &m->stretch, d->pos + at, m->world->thin_ref + at / 2);
     }

@@ -18,13 +18,13 @@ typedef struct pair {
 } pair;
 
 static pair pair_of(const tr_world *w, int a, int b) {
-    const double *q = w->disks.pos + 4 * (size_t)b;
+    const double *q = w->disks.pos + tr_body(b);
     if (a < 0) {
         const tr_wall *wall = &w->wall[-1 - a];
         tr_wall_touch touch = tr_wall_nearest(wall, q);
         return (pair){a, b, 0, q[3], touch.nx, touch.ny, touch.distance - q[3]};
     }
-    const double *p = w->disks.pos + 4 * (size_t)a, dx = q[0] - p[0], dy = q[1] - p[1], L = copysign(sqrt(dx * dx + dy * dy), p[3]);
+    const double *p = w->disks.pos + tr_body(a), dx = q[0] - p[0], dy = q[1] - p[1], L = copysign(sqrt(dx * dx + dy * dy), p[3]);
     return (pair){a, b, p[3], q[3], dx / L, dy / L, tr_world_gap(p, q)};
 }
 
@@ -33,12 +33,12 @@ static double smaller(const pair *p) {
 }
 
 static bool is_free(const tr_world *w, int i) {
-    return i >= 0 && w->disks.inv[4 * (size_t)i] > 0;
+    return i >= 0 && w->disks.inv[tr_body(i)] > 0;
 }
 
 /* A spin that follows from moments. */
 static bool may_turn(const tr_world *w, int i) {
-    return i >= 0 && w->disks.inv[4 * (size_t)i + 2] > 0;
+    return i >= 0 && w->disks.inv[tr_body(i) + TR_TURN] > 0;
 }
 
 /* Whether a disk or a wall below, as near as a contact, keeps disk i from falling. */
@@ -61,7 +61,7 @@ static double weight_on(const tr_bodies *b, const pair *p) {
     if (fabs(along) <= SMALL * tr_hypot(g[0], g[1]) || !is_free(w, upper) ||
         (is_free(w, lower) && !is_carried(w, lower, g)))
         return 0;
-    return fabs(along) / w->disks.inv[4 * (size_t)upper];
+    return fabs(along) / w->disks.inv[tr_body(upper)];
 }
 
 /* The relative motion of the two, then the spins of 1 and 2. */
@@ -91,7 +91,7 @@ static tr_tangent describe(const tr_bodies *b, const pair *p, double weight) {
         t.force = normal->law->elastic(normal->par, p->R1, p->R2, t.overlap).force;
     bool first = is_free(w, p->a) && !is_free(w, p->b);
     t.moved = first ? p->a : p->b;
-    const double *at = w->disks.pos + 4 * (size_t)t.moved, way = (first ? 1 : -1) * (t.overlap + p->gap);
+    const double *at = w->disks.pos + tr_body(t.moved), way = (first ? 1 : -1) * (t.overlap + p->gap);
     t.x = at[0] + way * p->nx, t.y = at[1] + way * p->ny;
     return t;
 }

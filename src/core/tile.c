@@ -60,7 +60,7 @@ TR_VECTOR static void gather_walls(tr_tile *restrict tile, const tr_group *g, co
         const double vx = w.vx + w.belt * w.ny, vy = w.vy - w.belt * w.nx; /* of its surface */
         end = same_wall(tile, g, i);
         for (int k = i; k < end; k++) {
-            size_t at = 4 * (size_t)g->b[tile->first + k];
+            size_t at = tr_body(g->b[tile->first + k]);
             const double *q = d->pos + at, *v = d->vel + at;
             tile->nx[k] = w.nx, tile->ny[k] = w.ny;
             tile->dx[k] = tr_wall_height(&w, q);
@@ -74,7 +74,7 @@ TR_VECTOR static void gather_walls(tr_tile *restrict tile, const tr_group *g, co
 static void gather_edges(tr_tile *tile, const tr_group *g, const tr_world *world) {
     for (int i = 0; i < tile->n; i++) {
         int contact = tile->first + i, number = g->a[contact];
-        size_t at = 4 * (size_t)g->b[contact];
+        size_t at = tr_body(g->b[contact]);
         const double *q = world->disks.pos + at, *v = world->disks.vel + at;
         const tr_wall *w = &world->wall[number];
         tr_wall_touch touch = tr_wall_nearest(w, q);
@@ -83,7 +83,7 @@ static void gather_edges(tr_tile *tile, const tr_group *g, const tr_world *world
         tile->dx[i] = taken ? 2 * q[3] : touch.distance;
         tile->dvx[i] = v[0] - w->vx - w->belt * touch.ny, tile->dvy[i] = v[1] - w->vy + w->belt * touch.nx;
         tile->w1[i] = 0, tile->w2[i] = v[2];
-        g->pair[2][contact] = touch.corner ? 0 : 1;
+        g->pair[TR_PAIR_G1][contact] = touch.corner ? 0 : 1;
     }
 }
 
@@ -117,7 +117,8 @@ void tr_tile_gather(const tr_world *world, const tr_group *g, tr_tile *tile, int
     tile->dt = dt;
     tile->first = first;
     tile->n = g->n - first < TR_TILE ? g->n - first : TR_TILE;
-    tile->R1 = g->pair[0] + first, tile->R2 = g->pair[1] + first, tile->g1 = g->pair[2] + first;
+    tile->R1 = g->pair[TR_PAIR_R1] + first, tile->R2 = g->pair[TR_PAIR_R2] + first;
+    tile->g1 = g->pair[TR_PAIR_G1] + first;
     if (g->ends)
         gather_edges(tile, g, world);
     else if (g->walls)
@@ -128,7 +129,7 @@ void tr_tile_gather(const tr_world *world, const tr_group *g, tr_tile *tile, int
 }
 
 void tr_tile_begin(const tr_disks *d) {
-    size_t bytes = 4 * (size_t)d->n * sizeof *d->force;
+    size_t bytes = tr_body(d->n) * sizeof *d->force;
     if (d->load)
         memcpy(d->force, d->load, bytes);
     else

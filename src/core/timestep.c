@@ -84,9 +84,9 @@ static double contact_limit(const tr_group *g, tr_pair_bodies bodies, share one,
 }
 
 static double overlap(const tr_world *world, const tr_group *g, int i) {
-    const double *q = world->disks.pos + 4 * (size_t)g->b[i];
+    const double *q = world->disks.pos + tr_body(g->b[i]);
     if (g->walls) return q[3] - tr_wall_distance(&world->wall[g->a[i]], q);
-    const double *p = world->disks.pos + 4 * (size_t)g->a[i];
+    const double *p = world->disks.pos + tr_body(g->a[i]);
     if (g->rings) return -tr_world_gap(p, q);
     return p[3] + q[3] - tr_cell_distance(&world->cell, p, q, NULL);
 }
@@ -115,9 +115,9 @@ tr_timestep_limit tr_timestep_contacts(const tr_world *world) {
             const tr_wall *wall = &world->wall[g->walls ? a : 0];
             tr_pair_bodies bodies = tr_world_pair(world, g, g->a[i], g->b[i]);
             bodies.delta = overlap(world, g, i);
-            share two = {z[b] * d->inv[4 * b], z[b] * d->inv[4 * b + 2]};
+            share two = {z[b] * d->inv[tr_body(b)], z[b] * d->inv[tr_body(b) + TR_TURN]};
             share one = {wall->mass > 0 ? wall_z[a < TR_MAX_WALLS ? a : 0] / wall->mass : 0, 0};
-            if (!g->walls) one = (share){z[a] * d->inv[4 * a], z[a] * d->inv[4 * a + 2]};
+            if (!g->walls) one = (share){z[a] * d->inv[tr_body(a)], z[a] * d->inv[tr_body(a) + TR_TURN]};
             double dt = contact_limit(g, bodies, one, two);
             if (dt < limit.dt) limit = (tr_timestep_limit){dt, k, i};
         }
@@ -130,7 +130,7 @@ tr_timestep_limit tr_timestep_contacts(const tr_world *world) {
  * it differ by q r or less, and that between them is 2r - q r or more, so that sin^2 of half the angle between them is
  * ((2-q)^2 - q^2) r^2/(4 (R+r)^2) or more. */
 static double most_contacts(const tr_world *world, int i, double r_min, double q) {
-    double R = world->disks.pos[4 * (size_t)i + 3];
+    double R = world->disks.pos[tr_body(i) + TR_RADIUS];
     if (i < world->n_rings) return world->disks.n - world->n_rings;
     double fit = floor(M_PI / tr_asin(sqrt(1 - q) * r_min / (R + r_min)) + 1e-9);
     if (q > 0 && !world->boxed) fit += world->n_walls + world->n_rings; /* which may be in one place */
@@ -146,7 +146,7 @@ typedef struct packings {
 } packings;
 
 static share share_of(const tr_world *world, int i, const packings *p) {
-    const double *inv = world->disks.inv + 4 * (size_t)i;
+    const double *inv = world->disks.inv + tr_body(i);
     double z = p->z ? p->z[i] : most_contacts(world, i, p->r_min, p->q);
     return (share){z * inv[0], z * inv[2]};
 }
@@ -177,17 +177,17 @@ static double smallest_radius(const tr_world *world, int *smallest, int *largest
     const tr_disks *d = &world->disks;
     *smallest = *largest = world->n_rings;
     for (int i = world->n_rings; i < d->n; i++) {
-        if (d->pos[4 * (size_t)i + 3] < d->pos[4 * (size_t)*smallest + 3]) *smallest = i;
-        if (d->pos[4 * (size_t)i + 3] > d->pos[4 * (size_t)*largest + 3]) *largest = i;
+        if (d->pos[tr_body(i) + TR_RADIUS] < d->pos[tr_body(*smallest) + TR_RADIUS]) *smallest = i;
+        if (d->pos[tr_body(i) + TR_RADIUS] > d->pos[tr_body(*largest) + TR_RADIUS]) *largest = i;
     }
-    return d->pos[4 * (size_t)*smallest + 3];
+    return d->pos[tr_body(*smallest) + TR_RADIUS];
 }
 
 /* For pistons with a known length: as many contacts as mean disks fit side by side. */
 static share piston_share(const tr_world *world) {
     share piston = {0, 0};
     double diameters = 0;
-    for (int i = 0; i < world->disks.n; i++) diameters += 2 * world->disks.pos[4 * (size_t)i + 3];
+    for (int i = 0; i < world->disks.n; i++) diameters += 2 * world->disks.pos[tr_body(i) + TR_RADIUS];
     for (int w = 0; w < world->n_walls; w++) {
         const tr_wall *wall = &world->wall[w];
         if (wall->mass > 0) piston.inv_m = fmax(piston.inv_m, wall->length * world->disks.n / (diameters * wall->mass));
@@ -226,9 +226,10 @@ static bool are_alike(const tr_world *world) {
     if (world->n_rings) return false;
     double first = d->mass[0] / tr_pow(d->pos[3], world->shape == TR_SHAPE_SPHERE ? 3 : 2);
     for (int i = 0; i < d->n; i++) {
-        double density = d->mass[i] / tr_pow(d->pos[4 * i + 3], world->shape == TR_SHAPE_SPHERE ? 3 : 2);
-        double whole = tr_law_inertia(world->shape) * d->mass[i] * d->pos[4 * i + 3] * d->pos[4 * i + 3];
-        if (d->inv[4 * i] == 0 || d->inv[4 * i + 2] == 0 || fabs(density / first - 1) > 1e-9 ||
+        double density = d->mass[i] / tr_pow(d->pos[tr_body(i) + TR_RADIUS], world->shape == TR_SHAPE_SPHERE ? 3 : 2);
+        double whole =
+            tr_law_inertia(world->shape) * d->mass[i] * d->pos[tr_body(i) + TR_RADIUS] * d->pos[tr_body(i) + TR_RADIUS];
+        if (d->inv[tr_body(i)] == 0 || d->inv[tr_body(i) + TR_TURN] == 0 || fabs(density / first - 1) > 1e-9 ||
             fabs(d->inertia[i] / whole - 1) > 1e-9)
             return false;
     }

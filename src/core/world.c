@@ -48,7 +48,7 @@ void tr_world_free(tr_world *world) {
 
 void tr_world_set_disk(tr_world *world, int i, double x, double y, double angle, double radius, double density,
                        bool prescribed) {
-    double *pos = world->disks.pos + 4 * (size_t)i, *inv = world->disks.inv + 4 * (size_t)i;
+    double *pos = world->disks.pos + tr_body(i), *inv = world->disks.inv + tr_body(i);
     double m = density * M_PI * radius * radius * (world->shape == TR_SHAPE_SPHERE ? 4 * radius / 3 : 1);
     pos[0] = x, pos[1] = y, pos[2] = angle, pos[3] = radius;
     world->disks.mass[i] = m;
@@ -67,12 +67,12 @@ bool tr_world_set_wall_laws(tr_world *world, int w, const tr_scene_contact *laws
 
 bool tr_world_set_ring(tr_world *world, int i, double radius, double outer, double density, tr_status *st) {
     tr_disks *d = &world->disks;
-    double *inv = d->inv + 4 * (size_t)i, a = radius, b = outer;
+    double *inv = d->inv + tr_body(i), a = radius, b = outer;
     if (!d->outer && !(d->outer = tr_alloc((size_t)d->n, sizeof *d->outer, st))) return false;
     bool shell = world->shape == TR_SHAPE_SPHERE;
     double m = density * M_PI * (shell ? 4.0 / 3 * (b * b * b - a * a * a) : b * b - a * a);
     double I = shell ? 0.4 * m * (tr_pow(b, 5) - tr_pow(a, 5)) / (tr_pow(b, 3) - tr_pow(a, 3)) : 0.5 * m * (a * a + b * b);
-    d->pos[4 * (size_t)i + 3] = -radius, d->outer[i] = outer;
+    d->pos[tr_body(i) + TR_RADIUS] = -radius, d->outer[i] = outer;
     d->mass[i] = m, d->inertia[i] = I;
     for (int k = 0; k < 3; k++)
         if (inv[k] > 0) inv[k] = 1 / (k < 2 ? m : I);
@@ -80,7 +80,7 @@ bool tr_world_set_ring(tr_world *world, int i, double radius, double outer, doub
 }
 
 void tr_world_set_inertia(tr_world *world, int i, double inertia) {
-    double *inv = world->disks.inv + 4 * (size_t)i;
+    double *inv = world->disks.inv + tr_body(i);
     world->disks.inertia[i] = inertia;
     if (inv[2] > 0) inv[2] = 1 / inertia;
 }
@@ -94,8 +94,8 @@ void tr_group_attach(tr_group *group, tr_sink *sink, const char *name, tr_pass_r
 
 /* A prescribed motion has infinite mass: inv is 0. */
 static void weigh_body(const tr_world *world, int i, double *R, double *m, double *I) {
-    const double *inv = world->disks.inv + 4 * (size_t)i;
-    *R = world->disks.pos[4 * (size_t)i + 3];
+    const double *inv = world->disks.inv + tr_body(i);
+    *R = world->disks.pos[tr_body(i) + TR_RADIUS];
     *m = inv[0] > 0 ? world->disks.mass[i] : INFINITY;
     *I = inv[2] > 0 ? world->disks.inertia[i] : INFINITY;
 }

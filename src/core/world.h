@@ -28,6 +28,7 @@
 #define TR_WORLD_H
 
 #include "base/threads.h"
+#include "base/lanes.h"
 #include "broad/broad.h"
 #include "laws/law.h"
 #include "scene/scene.h"
@@ -118,6 +119,9 @@ typedef struct tr_pass {
     tr_law_data data;
 } tr_pass;
 
+/* The pair constants of every contact. TR_PAIR_G1: R1/(R1+R2), 1 at a wall. In a cell also the image of b along x and y. */
+enum { TR_PAIR_R1, TR_PAIR_R2, TR_PAIR_G1, TR_PAIR_ALL, TR_PAIR_IMAGE_X = TR_PAIR_ALL, TR_PAIR_IMAGE_Y, TR_PAIR_IN_CELL };
+
 /* Contacts that share a pipeline. In a group of walls, a is the number of a wall. */
 struct tr_group {
     bool walls;
@@ -132,8 +136,7 @@ struct tr_group {
     int *a, *b;
     int n_hist, n_pair;
     double *hist[TR_GROUP_HIST];
-    double
-        *pair[TR_GROUP_PAIR]; /* R1, R2, g1; of disks in a cell the image of b along x and y; then those of the laws */
+    double *pair[TR_GROUP_PAIR]; /* TR_PAIR_R1, ...; then those of the laws */
     tr_group_law laws[TR_N_LAW_KINDS];
     tr_sink ledger_sink, arcs_sink, paths_sink; /* group == NULL: not attached */
     const tr_sink *increments_sink;             /* NULL: not attached */

@@ -25,7 +25,7 @@ void tr_frame_fill(const tr_world *world, const tr_record *record, int n, tr_col
         for (int k = end[0] < 0; k < 2; k++) fill[end[k]] += tr_frame_field(world, &record[c], color), ends[end[k]]++;
     }
     for (int i = 0; i < disks; i++)
-        fill[i] = color == TR_COLOR_SPIN ? world->disks.pos[4 * i + 2] : fill[i] / (ends[i] ? ends[i] : 1);
+        fill[i] = color == TR_COLOR_SPIN ? world->disks.pos[tr_body(i) + TR_TURN] : fill[i] / (ends[i] ? ends[i] : 1);
 }
 
 double tr_frame_range(const tr_record *record, int n, tr_color color) {
@@ -48,8 +48,8 @@ double tr_frame_range(const tr_record *record, int n, tr_color color) {
 double tr_frame_range_bodies(const tr_world *world, const tr_record *record, int n) {
     double max = 0;
     for (int i = 0; i < world->disks.n; i++) {
-        const double *v = world->disks.vel + 4 * i;
-        max = fmax(max, fmax(hypot(v[0], v[1]), fabs(v[2] * world->disks.pos[4 * i + 3])));
+        const double *v = world->disks.vel + tr_body(i);
+        max = fmax(max, fmax(hypot(v[0], v[1]), fabs(v[2] * world->disks.pos[tr_body(i) + TR_RADIUS])));
     }
     for (int i = 0; i < n; i++) max = fmax(max, fmax(fabs(record[i].v_s), fabs(record[i].v_r)));
     /* Bars are cut at the range: a value a hundredth above it, as from a dashpot, must not halve all bars. */

@@ -23,14 +23,14 @@
 enum { N_COLORS = 33 }; /* odd: zero has a colour of its own in the diverging palette */
 
 static tr_point disk_point(const tr_view *view, const tr_map *map, int i, double *radius) {
-    const double *p = view->world->disks.pos + 4 * i;
+    const double *p = view->world->disks.pos + tr_body(i);
     *radius = p[3] * map->scale;
     return tr_frame_point(map, p[0], p[1]);
 }
 
 /* Disk b, or in a periodic cell its image next to a. */
 static tr_point partner_point(const tr_view *view, const tr_map *map, int a, int b, double *radius) {
-    const double *p = view->world->disks.pos + 4 * a, *q = view->world->disks.pos + 4 * b;
+    const double *p = view->world->disks.pos + tr_body(a), *q = view->world->disks.pos + tr_body(b);
     double image[2] = {0};
     const double *side = view->world->cell.side;
     tr_cell_distance(&view->world->cell, p, q, image);
@@ -67,7 +67,7 @@ static void add_ticks(cairo_t *cr, const tr_view *view, const tr_map *map) {
     for (int k = 0; k < tr_frame_images(view); k++)
         for (int i = 0; i < view->world->disks.n; i++) {
             tr_point p = tr_frame_image(view, map, disk_point(view, map, i, &r), k);
-            double angle = view->world->disks.pos[4 * i + 2], c = cos(angle), s = sin(angle);
+            double angle = view->world->disks.pos[tr_body(i) + TR_TURN], c = cos(angle), s = sin(angle);
             if (!tr_frame_shown(view, map, p, r) || !isfinite(angle)) continue;
             cairo_move_to(cr, p.x + 0.4 * r * c, p.y - 0.4 * r * s);
             cairo_line_to(cr, p.x + r * c, p.y - r * s);
@@ -134,7 +134,7 @@ static bool branch(const tr_view *view, const tr_map *map, const tr_record *r, i
 /* Width of a line of mean force: a quarter of the mean radius [px]. */
 static double mean_width(const tr_view *view, const tr_map *map) {
     double sum = 0;
-    for (int i = 0; i < view->world->disks.n; i++) sum += view->world->disks.pos[4 * i + 3];
+    for (int i = 0; i < view->world->disks.n; i++) sum += view->world->disks.pos[tr_body(i) + TR_RADIUS];
     return 0.25 * map->scale * sum / fmax(view->world->disks.n, 1);
 }
 

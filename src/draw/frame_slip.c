@@ -10,7 +10,7 @@
 
 static double mean_radius(const tr_world *world) {
     double sum = 0;
-    for (int i = 0; i < world->disks.n; i++) sum += world->disks.pos[4 * i + 3];
+    for (int i = 0; i < world->disks.n; i++) sum += world->disks.pos[tr_body(i) + TR_RADIUS];
     return world->disks.n ? sum / world->disks.n : 0;
 }
 

@@ -27,7 +27,7 @@ typedef struct tr_surface {
 static bool surface_of(const tr_stage *s, int body, tr_surface *u) {
     const tr_world *world = s->lane->world;
     if (body >= 0 && body < world->disks.n) {
-        const double *x = world->disks.pos + 4 * body;
+        const double *x = world->disks.pos + tr_body(body);
         *u = (tr_surface){.disk = true, .centre = tr_stage_point(s, x[0], x[1])};
         u->radius = x[3] * s->map.scale, u->turned = x[2] + s->tilt;
         return tr_frame_seen(u->centre, u->radius) && isfinite(u->turned);

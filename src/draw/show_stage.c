@@ -19,7 +19,7 @@
 static const double badge = 17; /* radius of the disk's number */
 
 static bool place(const tr_stage *s, int disk, tr_point *p, double *radius) {
-    const double *x = s->lane->world->disks.pos + 4 * disk;
+    const double *x = s->lane->world->disks.pos + tr_body(disk);
     *p = tr_stage_point(s, x[0], x[1]);
     *radius = fabs(x[3]) * s->map.scale;
     return tr_frame_seen(*p, *radius) && isfinite(x[2]);
@@ -61,7 +61,7 @@ static bool is_ring(const tr_stage *s, int i) {
 /* Of a ring, from its inside out [px]. */
 static double band(const tr_stage *s, int i) {
     const tr_disks *d = &s->lane->world->disks;
-    return fmax((d->outer[i] + d->pos[4 * i + 3]) * s->map.scale, 2);
+    return fmax((d->outer[i] + d->pos[tr_body(i) + TR_RADIUS]) * s->map.scale, 2);
 }
 
 static void draw_ring(const tr_stage *s, int i) {
@@ -79,7 +79,7 @@ static void draw_ring(const tr_stage *s, int i) {
 /* What turns with a ring: ticks across the band. */
 static void draw_ring_ticks(const tr_stage *s, int i) {
     tr_point p;
-    double r, zero = s->lane->world->disks.pos[4 * i + 2] + s->tilt;
+    double r, zero = s->lane->world->disks.pos[tr_body(i) + TR_TURN] + s->tilt;
     if (!place(s, i, &p, &r)) return;
     tr_pen_hue(s->cr, TR_INK);
     for (int k = 0; k < 24; k++) {
@@ -109,7 +109,7 @@ static void draw_pull(const tr_stage *s, int i) {
 /* One long tick shows the spin; the short ones the way along the rim. */
 static void draw_ticks(const tr_stage *s, int i) {
     tr_point p;
-    double r, zero = s->lane->world->disks.pos[4 * i + 2] + s->tilt;
+    double r, zero = s->lane->world->disks.pos[tr_body(i) + TR_TURN] + s->tilt;
     if (!place(s, i, &p, &r)) return;
     tr_pen_hue(s->cr, TR_INK);
     for (int k = 0; k < (r > 24 ? 12 : 1); k++) {
@@ -218,7 +218,7 @@ static void draw_motion(const tr_stage *s, int i) {
     tr_point p;
     double r;
     if (!place(s, i, &p, &r)) return;
-    const double *v = s->lane->world->disks.vel + 4 * i, *x = s->lane->world->disks.pos + 4 * i;
+    const double *v = s->lane->world->disks.vel + tr_body(i), *x = s->lane->world->disks.pos + tr_body(i);
     const bool ring = is_ring(s, i), number = ring || r > 30;
     double turns = limited(v[2] * fabs(x[3]) / s->range) * (ring ? 0.25 : 1) * 5 * M_PI / 3;
     tr_pen_hue(s->cr, TR_PURPLE);

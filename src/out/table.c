@@ -125,7 +125,7 @@ void tr_row_increment(tr_row *row, const tr_increment *s) {
 }
 
 void tr_row_disk(tr_row *row, double time, const tr_world *world, int i) {
-    const double *pos = world->disks.pos + 4 * (size_t)i;
+    const double *pos = world->disks.pos + tr_body(i);
     double velocity[3];
     tr_bodies_velocity(world, i, velocity);
     tr_row_add(row, time, "time_s");
@@ -141,7 +141,7 @@ void tr_row_disk(tr_row *row, double time, const tr_world *world, int i) {
 void tr_row_sample(tr_row *row, double time, double strain, const tr_world *world, int i, double v_r, int ends) {
     tr_row_disk(row, time, world, i);
     tr_row_add(row, strain, "strain");
-    tr_row_add(row, world->disks.pos[4 * (size_t)i + 3], "radius_m");
+    tr_row_add(row, world->disks.pos[tr_body(i) + TR_RADIUS], "radius_m");
     tr_row_add(row, v_r, "mean_v_r_m_per_s");
     tr_row_add(row, ends, "contacts");
 }

@@ -31,7 +31,7 @@
 #include <string.h>
 
 static bool is_rim(const tr_world *world, int i) {
-    return world->disks.inv[4 * (size_t)i] == 0;
+    return world->disks.inv[tr_body(i)] == 0;
 }
 
 static void make_rim(tr_biaxial *b) {
@@ -39,7 +39,7 @@ static void make_rim(tr_biaxial *b) {
     const tr_wall *w = world->wall;
     double x = (w[TR_LEFT_WALL].x + w[TR_RIGHT_WALL].x) / 2, y = (w[TR_BOTTOM_WALL].y + w[TR_TOP_WALL].y) / 2;
     for (int i = 0; i < world->disks.n; i++) {
-        double *q = world->disks.pos + 4 * (size_t)i, *v = world->disks.vel + 4 * (size_t)i, near = INFINITY;
+        double *q = world->disks.pos + tr_body(i), *v = world->disks.vel + tr_body(i), near = INFINITY;
         for (int k = 0; k < world->n_walls; k++)
             near = fmin(near, (q[0] - w[k].x) * w[k].nx + (q[1] - w[k].y) * w[k].ny);
         v[0] = 0.3 * b->rate * (q[0] - x), v[1] = -b->rate * (q[1] - y), v[2] = 0;
@@ -50,7 +50,7 @@ static void make_rim(tr_biaxial *b) {
 
 /* Velocity k of disk i at the time of its position. */
 static double velocity(const tr_world *world, int i, int k) {
-    size_t at = 4 * (size_t)i + (size_t)k;
+    size_t at = tr_body(i) + (size_t)k;
     return world->disks.vel[at] + world->dt / 2 * world->disks.inv[at] * world->disks.force[at];
 }
 
@@ -60,14 +60,14 @@ static bool write_data(const tr_world *world, const char *dir, tr_status *st) {
     if (!tr_file_open(&file, dir, "packing.data", st)) return false;
     for (int i = 0; i < world->disks.n; i++)
         for (int k = 0; k < 2; k++) {
-            const double *q = world->disks.pos + 4 * (size_t)i;
+            const double *q = world->disks.pos + tr_body(i);
             low[k] = fmin(low[k], q[k] - 4 * q[3]), high[k] = fmax(high[k], q[k] + 4 * q[3]);
         }
     fprintf(file.stream, "a packing of disks; type 2: the rim\n\n%d atoms\n2 atom types\n", world->disks.n);
     fprintf(file.stream, "%.17g %.17g xlo xhi\n%.17g %.17g ylo yhi\n", low[0], high[0], low[1], high[1]);
     fputs("-1 1 zlo zhi\n\nAtoms # sphere\n\n", file.stream);
     for (int i = 0; i < world->disks.n; i++) {
-        const double *q = world->disks.pos + 4 * (size_t)i, R = q[3];
+        const double *q = world->disks.pos + tr_body(i), R = q[3];
         fprintf(file.stream, "%d %d %.17g %.17g %.17g %.17g 0\n", i + 1, is_rim(world, i) ? 2 : 1, 2 * R,
                 world->disks.mass[i] / (4.0 / 3 * M_PI * R * R * R), q[0], q[1]);
     }
@@ -123,7 +123,7 @@ static bool look(tr_world *world, tr_bench_state *s, tr_status *st) {
     *s = (tr_bench_state){.touching = n};
     for (int i = 0; i < n; i++) {
         const tr_record *c = &records[i];
-        const double *p = world->disks.pos + 4 * (size_t)c->a, *q = world->disks.pos + 4 * (size_t)c->b;
+        const double *p = world->disks.pos + tr_body(c->a), *q = world->disks.pos + tr_body(c->b);
         /* on b: f_n n - f_t t, t = (ny, -nx) */
         s->xx += (c->f_n * c->nx - c->f_t * c->ny) * (q[0] - p[0]);
         s->yy += (c->f_n * c->ny + c->f_t * c->nx) * (q[1] - p[1]);

@@ -54,10 +54,10 @@ bool tr_bench_tile(tr_biaxial *to, const tr_biaxial *tile, tr_status *st) {
            height = w[TR_TOP_WALL].y - y0;
     double *pos = tr_alloc((size_t)n * 4, sizeof *pos, st);
     for (int i = 0; pos && i < n; i++) {
-        const double *q = tile->world.disks.pos + 4 * (size_t)(i % of_tile);
-        pos[4 * (size_t)i] = unfold(q[0] - x0, width, i / of_tile % columns);
-        pos[4 * (size_t)i + 1] = unfold(q[1] - y0, height, i / of_tile / columns);
-        pos[4 * (size_t)i + 3] = q[3];
+        const double *q = tile->world.disks.pos + tr_body(i % of_tile);
+        pos[tr_body(i)] = unfold(q[0] - x0, width, i / of_tile % columns);
+        pos[tr_body(i) + TR_Y] = unfold(q[1] - y0, height, i / of_tile / columns);
+        pos[tr_body(i) + TR_RADIUS] = q[3];
     }
     double side = fmax(columns * width, rows * height);
     bool ok = pos && tr_sample_number(&to->world, pos, side, tile->scene->sample.density, st);
@@ -72,7 +72,7 @@ static void flow(tr_biaxial *b) {
     const tr_wall *w = b->world.wall;
     double y = (w[TR_BOTTOM_WALL].y + w[TR_TOP_WALL].y) / 2;
     for (int i = 0; i < b->world.disks.n; i++)
-        b->world.disks.vel[4 * (size_t)i + 1] = -b->rate * (b->world.disks.pos[4 * (size_t)i + 1] - y);
+        b->world.disks.vel[tr_body(i) + TR_Y] = -b->rate * (b->world.disks.pos[tr_body(i) + TR_Y] - y);
 }
 
 static bool prepare(subject *s, const tr_scene *scene, int disks, int threads, const tr_biaxial *tile,

@@ -60,9 +60,9 @@ bool tr_checks_need_contacts(const tr_checks *c, double time, double dt) {
 static sight look(const tr_bodies *b, int disk, const tr_record *contact) {
     const tr_disks *d = &b->world.disks;
     sight now = {.b = b, .contact = contact, .time = (double)b->world.steps * b->world.dt};
-    now.x = d->pos[4 * disk], now.y = d->pos[4 * disk + 1];
+    now.x = d->pos[tr_body(disk)], now.y = d->pos[tr_body(disk) + TR_Y];
     tr_bodies_velocity(&b->world, disk, now.v);
-    for (int k = 0; k < 3; k++) now.force[k] = d->force[4 * disk + k] - (d->load ? d->load[4 * disk + k] : 0);
+    for (int k = 0; k < 3; k++) now.force[k] = d->force[tr_body(disk) + k] - (d->load ? d->load[tr_body(disk) + k] : 0);
     now.energy = 0.5 * d->mass[disk] * (now.v[0] * now.v[0] + now.v[1] * now.v[1]) +
                  0.5 * d->inertia[disk] * now.v[2] * now.v[2];
     now.speed = tr_hypot(now.v[0], now.v[1]);
@@ -108,7 +108,7 @@ static void creepage(item *it, const sight *now) {
 static void power_lost(item *it, const sight *now) {
     const tr_record *r = now->contact;
     const double *vel = now->b->world.disks.vel;
-    double w1 = r->a < 0 ? 0 : vel[4 * r->a + 2], w2 = vel[4 * r->b + 2];
+    double w1 = r->a < 0 ? 0 : vel[tr_body(r->a) + TR_TURN], w2 = vel[tr_body(r->b) + TR_TURN];
     mean(it, (r->f_t + r->f_r) * r->v_s - r->m1 * w1 - r->m2 * w2, 1);
 }
 

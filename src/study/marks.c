@@ -12,7 +12,8 @@
 
 static double place_of(const tr_world *world, const tr_record *r, int end) {
     int body = end ? r->b : r->a;
-    if (body >= 0) return tr_atan2(end ? -r->ny : r->ny, end ? -r->nx : r->nx) - world->disks.pos[4 * body + 2];
+    if (body >= 0)
+        return tr_atan2(end ? -r->ny : r->ny, end ? -r->nx : r->nx) - world->disks.pos[tr_body(body) + TR_TURN];
     const tr_wall *w = &world->wall[-1 - body];
     return (r->x - w->x) * w->ny - (r->y - w->y) * w->nx;
 }

@@ -25,14 +25,14 @@ void tr_picture_widen(tr_view_box *v, const tr_play *p) {
     const tr_world *world = &p->b.world;
     double tilt = tr_play_tilt(p), c = tr_cos(tilt), n = tr_sin(tilt);
     for (int i = 0; i < world->disks.n; i++) {
-        const double *q = world->disks.pos + 4 * (size_t)i;
+        const double *q = world->disks.pos + tr_body(i);
         double x = q[0] * c - q[1] * n, y = q[0] * n + q[1] * c, R = i < world->n_rings ? world->disks.outer[i] : q[3];
         widen(&v->x0, &v->x1, x - R), widen(&v->x0, &v->x1, x + R);
         widen(&v->y0, &v->y1, y - R), widen(&v->y0, &v->y1, y + R);
     }
     for (int i = 0; i < world->disks.n; i++) { /* a thread is as long as its disk is wide, and a little more */
         const tr_scene_pull *pull = &p->scene->disks[i].pull;
-        const double *q = world->disks.pos + 4 * (size_t)i, way = (pull->force < 0 ? -2.6 : 2.6) * fabs(q[3]);
+        const double *q = world->disks.pos + tr_body(i), way = (pull->force < 0 ? -2.6 : 2.6) * fabs(q[3]);
         double x = q[0] + way * tr_cos(pull->angle), y = q[1] + way * tr_sin(pull->angle);
         if (!pull->given) continue;
         widen(&v->x0, &v->x1, x * c - y * n), widen(&v->y0, &v->y1, x * n + y * c);

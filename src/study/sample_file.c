@@ -242,10 +242,10 @@ static bool check_overlaps(const packing *p, bool periodic) {
 }
 
 static bool keep(const packing *p, tr_scene_sample *sample) {
-    sample->place = tr_alloc(4 * (size_t)p->n, sizeof *sample->place, p->st);
+    sample->place = tr_alloc(tr_body(p->n), sizeof *sample->place, p->st);
     if (!sample->place) return false;
     for (int i = 0; i < p->n; i++) {
-        double *to = sample->place + 4 * (size_t)i;
+        double *to = sample->place + tr_body(i);
         to[0] = p->disk[i].at[X] - p->box[0][0], to[1] = p->disk[i].at[Y] - p->box[1][0], to[3] = p->disk[i].at[R];
     }
     sample->disks = p->n;

@@ -26,7 +26,7 @@ static bool cluster(tr_world *w, tr_status *st) {
     bool ok = tr_world_init(w, SIDE * SIDE, TR_SHAPE_DISK, st);
     for (int i = 0; ok && i < SIDE * SIDE; i++) {
         int row = i / SIDE, column = i % SIDE;
-        double *v = w->disks.vel + 4 * i, x = 0.0205 * (column - 3), y = 0.0205 * (row - 3);
+        double *v = w->disks.vel + tr_body(i), x = 0.0205 * (column - 3), y = 0.0205 * (row - 3);
         tr_world_set_disk(w, i, x, y, 0, 0.006 + 0.004 * tr_random_uniform(&r), 1000, false);
         v[0] = -10 * x - 5 * y + 0.2 * tr_random_uniform(&r), v[1] = -10 * y + 5 * x + 0.2 * tr_random_uniform(&r);
         v[2] = 40 * (tr_random_uniform(&r) - 0.3);
@@ -41,7 +41,7 @@ static bool cluster(tr_world *w, tr_status *st) {
 static void momentum(const tr_world *w, double sum[3], double size[3]) {
     memset(sum, 0, 3 * sizeof *sum), memset(size, 0, 3 * sizeof *size);
     for (int i = 0; i < w->disks.n; i++) {
-        const double *x = w->disks.pos + 4 * i, *v = w->disks.vel + 4 * i, m = w->disks.mass[i];
+        const double *x = w->disks.pos + tr_body(i), *v = w->disks.vel + tr_body(i), m = w->disks.mass[i];
         double part[3] = {m * v[0], m * v[1], m * (x[0] * v[1] - x[1] * v[0]) + 0.5 * m * x[3] * x[3] * v[2]};
         for (int k = 0; k < 3; k++) sum[k] += part[k], size[k] += fabs(part[k]);
     }

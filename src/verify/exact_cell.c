@@ -40,8 +40,8 @@ static bool gas_begin(gas *g, tr_status *st) {
     for (int i = 0; i < GAS; i++) {
         tr_world_set_disk(w, i, SIDE[0] * tr_random_uniform(&r), SIDE[1] * tr_random_uniform(&r), 0, 1e-3, 1000, false);
         for (int k = 0; k < 2; k++) {
-            double c = w->disks.vel[4 * i + k] = tr_random_uniform(&r) - (k ? 0.7 : 0.2);
-            g->x0[i][k] = w->disks.pos[4 * i + k], g->c0[i][k] = c, g->K0[k] += 0.5 * w->disks.mass[i] * c * c;
+            double c = w->disks.vel[tr_body(i) + k] = tr_random_uniform(&r) - (k ? 0.7 : 0.2);
+            g->x0[i][k] = w->disks.pos[tr_body(i) + k], g->c0[i][k] = c, g->K0[k] += 0.5 * w->disks.mass[i] * c * c;
         }
     }
     memcpy(w->cell.side, SIDE, sizeof SIDE);
@@ -69,7 +69,7 @@ static bool gas_rows(tr_verify *v, const gas *g, tr_status *st) {
         double L = SIDE[k] + RATE[k] * STEPS * DT;
         K += g->K0[k] * pow(SIDE[k] / L, 2);
         for (int i = 0; i < GAS; i++) {
-            double x = w->disks.pos[4 * i + k], c = w->disks.vel[4 * i + k] - RATE[k] / L * x;
+            double x = w->disks.pos[tr_body(i) + k], c = w->disks.vel[tr_body(i) + k] - RATE[k] / L * x;
             double free = g->x0[i][k] + (g->c0[i][k] + RATE[k] / SIDE[k] * g->x0[i][k]) * STEPS * DT;
             place = fmax(place, fabs((x - free) / L - rint((x - free) / L)));
             against = fmax(against, fabs(c * L / SIDE[k] - g->c0[i][k]));
@@ -163,7 +163,7 @@ static bool drag(tr_biaxial *b, double *off, double *left, double *want, tr_stat
     tr_world *w = &b->world;
     double x0[SAMPLE][2], unbalanced, L0 = w->cell.side[0];
     bool done, ok = true;
-    for (int i = 0; i < SAMPLE; i++) memcpy(x0[i], w->disks.pos + 4 * i, sizeof x0[i]);
+    for (int i = 0; i < SAMPLE; i++) memcpy(x0[i], w->disks.pos + tr_body(i), sizeof x0[i]);
     for (int k = 0; k < 2; k++) w->cell.mass[k] = 0, tr_cell_set_rate(w, k, -0.3);
     w->disks.vel[0] += pushed;
     *want = 1;
@@ -174,7 +174,7 @@ static bool drag(tr_biaxial *b, double *off, double *left, double *want, tr_stat
     *off = w->contact_updates > 0 ? NAN : 0; /* then another force acts */
     for (int i = 1; i < SAMPLE; i++)
         for (int k = 0; k < 2; k++) {
-            double turns = w->disks.pos[4 * i + k] / w->cell.side[k] - x0[i][k] / L0;
+            double turns = w->disks.pos[tr_body(i) + k] / w->cell.side[k] - x0[i][k] / L0;
             *off = fmax(*off, fabs(turns - rint(turns)));
         }
     *left = (w->disks.vel[0] - tr_cell_strain_rate(&w->cell, 0) * w->disks.pos[0]) / pushed * w->cell.side[0] / L0;

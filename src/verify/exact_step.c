@@ -47,7 +47,7 @@ static void multiply(const tr_world *w, const double k[3], const double *x, doub
     const double scale[3] = {1, 1, sqrt(2)}; /* sqrt(m) of each: I = m R^2/2 */
     memset(y, 0, 3 * (size_t)w->disks.n * sizeof *y);
     for (int i = 0; i < g->n; i++) {
-        const double *p = w->disks.pos + 4 * g->a[i], *q = w->disks.pos + 4 * g->b[i];
+        const double *p = w->disks.pos + tr_body(g->a[i]), *q = w->disks.pos + tr_body(g->b[i]);
         double dx = q[0] - p[0], dy = q[1] - p[1], L = hypot(dx, dy), nx = dx / L, ny = dy / L;
         if (L >= 2 * RADIUS) continue;
         const double of_b[3][3] = {{nx, ny, 0}, {ny, -nx, L / (2 * RADIUS)}, {0, 0, -0.5}};
@@ -114,8 +114,8 @@ static bool growth(double share, double *most, tr_status *st) {
     tr_world w;
     if (!build(&w, &alone, st)) return false;
     for (int i = 0; i < N; i++) {
-        w.disks.pos[4 * i] = RADIUS - lap + i * (2 * RADIUS - lap);
-        w.disks.vel[4 * i] = tiny * sin(1.0 + 3.7 * i);
+        w.disks.pos[tr_body(i)] = RADIUS - lap + i * (2 * RADIUS - lap);
+        w.disks.vel[tr_body(i)] = tiny * sin(1.0 + 3.7 * i);
     }
     w.wall[0] = (tr_wall){.nx = 1},
     w.wall[1] = (tr_wall){.x = 2 * (RADIUS - lap) + (N - 1) * (2 * RADIUS - lap), .nx = -1};
@@ -126,7 +126,7 @@ static bool growth(double share, double *most, tr_status *st) {
         tr_status broken = {0};
         if (!tr_step_forces(&w, &broken)) break; /* grown beyond all bounds */
         tr_step_advance(&w);
-        for (int i = 0; i < N; i++) *most = fmax(*most, fabs(w.disks.vel[4 * i]) / tiny);
+        for (int i = 0; i < N; i++) *most = fmax(*most, fabs(w.disks.vel[tr_body(i)]) / tiny);
     }
     tr_world_free(&w);
     return ok;

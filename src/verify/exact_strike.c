@@ -11,7 +11,7 @@
 static double kinetic(const tr_world *w, const tr_blow *b) {
     double sum = 0;
     for (int i = 0; i < w->disks.n; i++) {
-        const double *v = w->disks.vel + 4 * i;
+        const double *v = w->disks.vel + tr_body(i);
         double spin = (b->sphere ? 0.4 : 0.5) * TR_BLOW_RADIUS * TR_BLOW_RADIUS * v[2] * v[2];
         sum += 0.5 * tr_blow_mass(b) * (v[0] * v[0] + v[1] * v[1] + spin);
     }
@@ -39,7 +39,7 @@ bool tr_strike(const tr_blow *b, int n, double phase, tr_rebound *r, tr_status *
     w.dt = b->time / n, w.allow_unstable = true;
     double gap = phase * b->v_n * w.dt, share = b->wall ? 1 : 0.5;
     for (int i = 0; i <= last; i++) {
-        double side = i == last ? 1 : -1, *v = w.disks.vel + 4 * i;
+        double side = i == last ? 1 : -1, *v = w.disks.vel + tr_body(i);
         tr_world_set_disk(&w, i, b->wall ? TR_BLOW_RADIUS + gap : side * (TR_BLOW_RADIUS + gap / 2), 0, 0,
                           TR_BLOW_RADIUS, TR_BLOW_DENSITY, false);
         v[0] = -side * share * b->v_n, v[1] = -side * share * b->v_s, v[2] = i == last ? b->spin : 0;
@@ -51,11 +51,11 @@ bool tr_strike(const tr_blow *b, int n, double phase, tr_rebound *r, tr_status *
     for (int k = 0; ok && k < 3 * n; k++) {
         if (!(ok = tr_step_forces(&w, st))) break;
         if (k == 0) tr_ledger_begin(&w);
-        double force = w.disks.force[4 * last];
+        double force = w.disks.force[tr_body(last)];
         touching += force != 0, r->peak = fmax(r->peak, force);
         tr_step_advance(&w);
     }
-    const double *v = w.disks.vel + 4 * last, *u = b->wall ? (double[]){0, 0, 0} : w.disks.vel;
+    const double *v = w.disks.vel + tr_body(last), *u = b->wall ? (double[]){0, 0, 0} : w.disks.vel;
     r->e = (v[0] - u[0]) / b->v_n, r->duration = touching * w.dt;
     r->v_t = u[1] - v[1], r->spin = v[2], r->v_s = r->v_t + TR_BLOW_RADIUS * (u[2] + v[2]);
     r->energy = kinetic(&w, b) / before, r->damped = w.ledger ? w.ledger->damped / before : 0;

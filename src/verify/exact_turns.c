@@ -172,7 +172,7 @@ bool tr_exact_rolling_share(tr_verify *v, tr_status *st) {
     bool ok = tr_world_init(&w, 4, TR_SHAPE_DISK, st);
     for (int i = 0; i < 4 && ok; i++) {
         tr_world_set_disk(&w, i, i % 2 ? R[i - 1] + R[i] - lap : 0, i / 2, 0, R[i], 1000, true);
-        w.disks.vel[4 * i + 2] = spin[i];
+        w.disks.vel[tr_body(i) + TR_TURN] = spin[i];
     }
     w.dt = 1e-6;
     ok = ok && tr_exact_laws(&w, "k_n: 1e6, mu: 0.5, rolling: wang-spring, mu_r: 0.5", 0, st) && tr_step_forces(&w, st);

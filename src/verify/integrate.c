@@ -8,7 +8,7 @@
 
 void tr_integrate_kick(tr_world *world, double share) {
     const tr_disks *d = &world->disks;
-    for (int k = 0; k < 4 * d->n; k++) d->vel[k] += share * world->dt * d->inv[k] * d->force[k];
+    for (int k = 0; k < TR_LANES * d->n; k++) d->vel[k] += share * world->dt * d->inv[k] * d->force[k];
 }
 
 static bool leapfrog(tr_world *world, int64_t n, tr_status *st) {
@@ -37,7 +37,7 @@ static bool velocity_verlet(tr_world *world, int64_t n, tr_status *st) {
 /* The forces of the step before are kept here: tr_step_advance leaves them at 0. */
 static bool predicted(tr_world *world, int64_t n, tr_status *st) {
     const tr_disks *d = &world->disks;
-    size_t lanes = 4 * (size_t)d->n, bytes = lanes * sizeof(double);
+    size_t lanes = tr_body(d->n), bytes = lanes * sizeof(double);
     double *half = tr_alloc(2 * lanes, sizeof *half, st);
     if (!half) return false;
     double *before = half + lanes;
@@ -62,7 +62,7 @@ static bool compose(tr_world *world, int64_t n, int stages, const double *drift,
     tr_integrate_kick(world, 0.5);
     for (int64_t i = 0; i < n; i++)
         for (int s = 0; s <= stages; s++) {
-            for (int k = 0; k < 4 * d->n; k++) d->pos[k] += drift[s] * world->dt * d->vel[k];
+            for (int k = 0; k < TR_LANES * d->n; k++) d->pos[k] += drift[s] * world->dt * d->vel[k];
             if (s == stages) break;
             if (!tr_step_forces(world, st)) return false;
             tr_integrate_kick(world, kick[s]);

@@ -24,10 +24,10 @@ static const char first_order[] = "kinks between two steps: first order, scatter
 static const char second_order[] = "second order but for kinks, which fall where they fall";
 
 static const double *velocity(const tr_bodies *b, int i) {
-    return b->world.disks.vel + 4 * (size_t)i;
+    return b->world.disks.vel + tr_body(i);
 }
 static const double *position(const tr_bodies *b, int i) {
-    return b->world.disks.pos + 4 * (size_t)i;
+    return b->world.disks.pos + tr_body(i);
 }
 
 static double value(const tr_bodies *b, const tr_law *law, int slot, const char *key) {

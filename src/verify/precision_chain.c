@@ -54,8 +54,8 @@ static double linear_error(const tr_bodies *b, const void *reference) {
             u += share * (AWAY * cos(w * T) + SPEED / w * sin(w * T));
             v += share * (SPEED * cos(w * T) - AWAY * w * sin(w * T));
         }
-        double du = b->world.disks.pos[4 * j] - (b->scene->disks[j].x - (j ? 0 : AWAY)) - u,
-               dv = b->world.disks.vel[4 * j] - v;
+        double du = b->world.disks.pos[tr_body(j)] - (b->scene->disks[j].x - (j ? 0 : AWAY)) - u,
+               dv = b->world.disks.vel[tr_body(j)] - v;
         error += du * du * rate * rate + dv * dv;
     }
     return sqrt(error) / SPEED;
@@ -102,7 +102,7 @@ static void *hertz_reference(const tr_scene *scene, tr_status *st) {
 static double hertz_error(const tr_bodies *b, const void *reference) {
     const double *y = reference;
     double error = 0;
-    for (int i = 0; i < N; i++) error = hypot(error, b->world.disks.vel[4 * i] - y[N + i]);
+    for (int i = 0; i < N; i++) error = hypot(error, b->world.disks.vel[tr_body(i)] - y[N + i]);
     return error / SPEED;
 }
 
@@ -122,10 +122,11 @@ static double energy(const tr_bodies *b) {
     bool sphere = b->scene->shape == TR_SHAPE_SPHERE;
     double sum = 0;
     for (int i = 0; i < N; i++)
-        sum += 0.5 * d->mass[i] * d->vel[4 * i] * (d->vel[4 * i] + b->world.dt * d->force[4 * i] / d->mass[i]);
+        sum += 0.5 * d->mass[i] * d->vel[tr_body(i)] *
+               (d->vel[tr_body(i)] + b->world.dt * d->force[tr_body(i)] / d->mass[i]);
     for (int i = 0; i <= N; i++) {
-        double left = i > 0 ? d->pos[4 * i - 4] + RADIUS : 0,
-               right = i < N ? d->pos[4 * i] - RADIUS : b->scene->walls[1].x;
+        double left = i > 0 ? d->pos[tr_body(i - 1)] + RADIUS : 0,
+               right = i < N ? d->pos[tr_body(i)] - RADIUS : b->scene->walls[1].x;
         double delta = left - right, R = i > 0 && i < N ? RADIUS / 2 : RADIUS;
         sum += sphere ? 0.4 * hertz(R, delta) * delta : 0.5 * STIFFNESS * delta * delta;
     }

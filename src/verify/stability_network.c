@@ -20,9 +20,9 @@ static double among(tr_random *r, double low, double high) { /* evenly in the lo
 
 static double gap(const tr_world *w, int i, int n) {
     double least = INFINITY;
-    const double *p = w->disks.pos + 4 * (size_t)i;
+    const double *p = w->disks.pos + tr_body(i);
     for (int j = 0; j < n; j++) {
-        const double *q = w->disks.pos + 4 * (size_t)j;
+        const double *q = w->disks.pos + tr_body(j);
         if (j != i) least = fmin(least, hypot(p[0] - q[0], p[1] - q[1]) - p[3] - q[3]);
     }
     return least;
@@ -31,7 +31,7 @@ static double gap(const tr_world *w, int i, int n) {
 /* Disk i touches disk j, and j2 if they are close enough; false: no room. */
 static bool place(tr_world *w, tr_random *r, int i, double R, double density, double lap, bool held) {
     int j = (int)(tr_random_uniform(r) * i), j2 = (int)(tr_random_uniform(r) * i);
-    const double *p = w->disks.pos + 4 * (size_t)j, *q = w->disks.pos + 4 * (size_t)j2;
+    const double *p = w->disks.pos + tr_body(j), *q = w->disks.pos + tr_body(j2);
     double angle = 2 * M_PI * tr_random_uniform(r), d = hypot(q[0] - p[0], q[1] - p[1]);
     double a = p[3] + R - lap, b = q[3] + R - lap, c = (d * d + a * a - b * b) / (2 * a * d);
     if (j != j2 && fabs(c) < 1) angle = atan2(q[1] - p[1], q[0] - p[0]) + acos(c);
@@ -49,7 +49,8 @@ static bool throw_disks(tr_network *net, tr_random *r, tr_status *st) {
         placed += place(&net->w, r, placed, among(r, SMALLEST, 10 * SMALLEST), among(r, 1e2, 1e4), lap, false);
     if (tr_random_uniform(r) < 0.5) { /* a floor under the lowest */
         double lowest = INFINITY;
-        for (int i = 0; i < n; i++) lowest = fmin(lowest, net->w.disks.pos[4 * i + 1] - net->w.disks.pos[4 * i + 3]);
+        for (int i = 0; i < n; i++)
+            lowest = fmin(lowest, net->w.disks.pos[tr_body(i) + TR_Y] - net->w.disks.pos[tr_body(i) + TR_RADIUS]);
         net->w.wall[net->w.n_walls++] = (tr_wall){.y = lowest + lap, .ny = 1};
     }
     return true;
@@ -66,8 +67,8 @@ static row row_of(const tr_network *net, int a, const double *ja, int b, const d
     const double *inv = net->w.disks.inv;
     row r = {{0}};
     for (int l = 0; l < 3; l++) {
-        if (a >= 0) r.of[3 * a + l] = ja[l] * sqrt(inv[4 * a + l]);
-        r.of[3 * b + l] = jb[l] * sqrt(inv[4 * b + l]);
+        if (a >= 0) r.of[3 * a + l] = ja[l] * sqrt(inv[tr_body(a) + l]);
+        r.of[3 * b + l] = jb[l] * sqrt(inv[tr_body(b) + l]);
     }
     return r;
 }
@@ -108,7 +109,7 @@ static void add_contact(tr_network *net, int a, int b, const touch *c) {
     const double *n = c->n, r1 = c->r1, r2 = c->r2, R1 = c->R1, R2 = c->R2;
     double R_eff = a < 0 ? R2 : R1 * R2 / (R1 + R2),
            along = net->conjugate ? (a < 0 ? 0.5 : (R1 - R2) / (2 * (r1 + r2))) : 0;
-    const double *inv = net->w.disks.inv, of = (a < 0 ? 0 : inv[4 * a]) + inv[4 * b], m = of > 0 ? 1 / of : 0;
+    const double *inv = net->w.disks.inv, of = (a < 0 ? 0 : inv[tr_body(a)]) + inv[tr_body(b)], m = of > 0 ? 1 / of : 0;
     double slide[2][3] = {{-n[1], n[0], r1}, {n[1], -n[0], r2}}, roll[2][3];
     for (int l = 0; l < 3; l++) {
         roll[0][l] = along * slide[0][l] + (l == 2 ? R_eff : 0);
@@ -131,9 +132,9 @@ static void assemble(tr_network *net) {
     const tr_world *w = &net->w;
     memset(net->K, 0, sizeof net->K), memset(net->C, 0, sizeof net->C);
     for (int b = 0; b < w->disks.n; b++) {
-        const double *q = w->disks.pos + 4 * (size_t)b;
+        const double *q = w->disks.pos + tr_body(b);
         for (int a = 0; a < b; a++) {
-            const double *p = w->disks.pos + 4 * (size_t)a;
+            const double *p = w->disks.pos + tr_body(a);
             double L = hypot(q[0] - p[0], q[1] - p[1]), r1 = p[3] * L / (p[3] + q[3]);
             const touch c = {{(q[0] - p[0]) / L, (q[1] - p[1]) / L}, r1, L - r1, p[3], q[3]};
             if (L < p[3] + q[3]) add_contact(net, a, b, &c);
@@ -165,14 +166,14 @@ double tr_network_limit(const tr_network *net) {
 /* ---- the leapfrog of the tool */
 
 static double spin_of(const tr_network *net, int i) { /* when its rim slides */
-    return net->rim[i] * SLIDES * SMALLEST / (net->w.dt * net->w.disks.pos[4 * i + 3]);
+    return net->rim[i] * SLIDES * SMALLEST / (net->w.dt * net->w.disks.pos[tr_body(i) + TR_RADIUS]);
 }
 
 /* Of the disturbance. */
 static double kinetic(const tr_network *net) {
     const tr_disks *d = &net->w.disks;
     double sum = 0;
-    for (int k = 0; k < 4 * d->n; k++) {
+    for (int k = 0; k < TR_LANES * d->n; k++) {
         double v = d->vel[k] - (k % 4 == 2 ? spin_of(net, k / 4) : 0);
         if (d->inv[k] > 0) sum += 0.5 * v * v / d->inv[k];
     }
@@ -185,7 +186,8 @@ static void stretch(tr_network *net) {
         tr_group *g = &net->w.group[k];
         for (int i = 0; i < g->n; i++) {
             int a = k ? -1 : g->a[i], b = g->b[i];
-            slips way = slips_of(net, a, b, k ? 0 : net->w.disks.pos[4 * a + 3], net->w.disks.pos[4 * b + 3]);
+            slips way = slips_of(net, a, b, k ? 0 : net->w.disks.pos[tr_body(a) + TR_RADIUS],
+                                 net->w.disks.pos[tr_body(b) + TR_RADIUS]);
             const double huge = 1e3 * net->k_n * SMALLEST;
             g->hist[g->laws[TR_FRICTION].hist][i] = way.friction * huge;
             g->hist[g->laws[TR_ROLLING].hist][i] = way.rolling * huge;
@@ -198,18 +200,18 @@ static void disturb(tr_network *net, double dt) {
     tr_world *w = &net->w;
     tr_random r = tr_random_seed(1, 2);
     double inv = 0;
-    for (int i = 0; i < w->disks.n; i++) inv = fmax(inv, w->disks.inv[4 * i]);
-    for (int k = 0; k < 4 * w->disks.n; k++)
+    for (int i = 0; i < w->disks.n; i++) inv = fmax(inv, w->disks.inv[tr_body(i)]);
+    for (int k = 0; k < TR_LANES * w->disks.n; k++)
         w->disks.vel[k] = TINY * SMALLEST / dt * sqrt(w->disks.inv[k] / inv) * (2 * tr_random_uniform(&r) - 1);
     stretch(net);
     w->dt = dt, w->fresh = w->stale = true;
-    for (int i = 0; i < w->disks.n; i++) w->disks.vel[4 * i + 2] += spin_of(net, i);
+    for (int i = 0; i < w->disks.n; i++) w->disks.vel[tr_body(i) + TR_TURN] += spin_of(net, i);
     w->wall[0].vx = net->floor * SLIDES * SMALLEST / dt;
 }
 
 double tr_network_growth(tr_network *net, double dt, int steps, double *a_step, tr_status *st) {
-    double pos[4 * TR_NETWORK_DISKS], before = 1, last = 1, most = 1;
-    size_t bytes = 4 * (size_t)net->w.disks.n * sizeof(double);
+    double pos[tr_body(TR_NETWORK_DISKS)], before = 1, last = 1, most = 1;
+    size_t bytes = tr_body(net->w.disks.n) * sizeof(double);
     memcpy(pos, net->w.disks.pos, bytes);
     disturb(net, dt);
     double start = kinetic(net);
@@ -230,7 +232,7 @@ double tr_network_linear(tr_network *net, double dt, int steps) {
     int n = 3 * d->n;
     disturb(net, dt);
     for (int i = 0; i < n; i++) {
-        int lane = 4 * (i / 3) + i % 3;
+        int lane = TR_LANES * (i / 3) + i % 3;
         double v = d->vel[lane] - (i % 3 == 2 ? spin_of(net, i / 3) : 0);
         y[i] = d->inv[lane] > 0 ? v * dt / sqrt(d->inv[lane]) : 0, start += y[i] * y[i];
     }
@@ -252,8 +254,8 @@ static bool balance(tr_network *net, tr_status *st) {
     if (!tr_step_forces(&net->w, st)) return false; /* there are contacts now */
     stretch(net);
     net->w.fresh = true;
-    if (!tr_step_forces(&net->w, st) || !(d->load = tr_alloc(4 * (size_t)d->n, sizeof(double), st))) return false;
-    for (int k = 0; k < 4 * d->n; k++) d->load[k] = -d->force[k];
+    if (!tr_step_forces(&net->w, st) || !(d->load = tr_alloc(tr_body(d->n), sizeof(double), st))) return false;
+    for (int k = 0; k < TR_LANES * d->n; k++) d->load[k] = -d->force[k];
     return true;
 }
 

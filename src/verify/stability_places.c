@@ -41,7 +41,7 @@ static bool burst(tr_verify *v, double far, const tr_broad_finder *finder, doubl
 }
 
 bool tr_stability_far(tr_verify *v, tr_status *st) {
-    double here[4 * N], there[4 * N], brute[4 * N], most = 0, differ = 0;
+    double here[tr_body(N)], there[tr_body(N)], brute[tr_body(N)], most = 0, differ = 0;
     int64_t touched[3];
     if (!burst(v, 0x1p7, &tr_broad_box2d, here, &touched[0], st) ||
         !burst(v, 0x1p20, &tr_broad_box2d, there, &touched[1], st) ||

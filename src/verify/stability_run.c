@@ -35,7 +35,7 @@ static bool finite_all(const double *x, int n) {
 bool tr_stability_readable(tr_world *world) {
     tr_status st = {0};
     tr_record *records = NULL;
-    int capacity = 0, n = tr_record_all(world, &records, &capacity, &st), lanes = 4 * world->disks.n;
+    int capacity = 0, n = tr_record_all(world, &records, &capacity, &st), lanes = TR_LANES * world->disks.n;
     bool ok = st.code == TR_OK && finite_all(world->disks.pos, lanes) && finite_all(world->disks.vel, lanes) &&
               finite_all(world->disks.force, lanes);
     for (int i = 0; ok && i < n; i++) {
@@ -62,7 +62,7 @@ static void add_elastic(void *context, tr_group *g, tr_tile *tile) {
 double tr_stability_energy(tr_world *world) {
     const tr_disks *d = &world->disks;
     double sum = 0;
-    for (int k = 0; k < 4 * d->n; k++) {
+    for (int k = 0; k < TR_LANES * d->n; k++) {
         double v = d->vel[k] + 0.5 * world->dt * d->inv[k] * d->force[k];
         if (d->inv[k] > 0) sum += 0.5 * v * v / d->inv[k];
         if (d->inv[k] > 0 && d->load) sum -= d->load[k] * d->pos[k];
