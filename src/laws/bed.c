@@ -11,14 +11,9 @@ static const double NOTHING = 1e-12;
 /* Of s: so near, a tangent of P errs by its square. */
 static const double NEAR = 1e-9;
 
-static void rise(tr_bed *b, int k) {
-    b->rise[k] = (b->P[k] - b->P[k - 1]) / (b->s[k] - b->s[k - 1]);
-}
-
 static void push(tr_bed *b, double s, double e, double P) {
     b->s[b->n] = s, b->P[b->n] = P;
     b->e[b->n] = e + 0.0; /* no -0, which would not outlive e += 0 */
-    if (b->n) rise(b, b->n);
     b->n++;
 }
 
@@ -39,11 +34,10 @@ static double edge(tr_bed *b, double s) {
 }
 
 /* By how much kappa Q changes where breakpoint k gives way to the chord over it. */
-static double share(const tr_bed *b, int k) {
-    const double *s = b->s, *e = b->e;
+static double share(const double *s, const double *e, const double *P, int k) {
     double left = s[k] - s[k - 1], right = s[k + 1] - s[k];
     double above = e[k] - (e[k - 1] * right + e[k + 1] * left) / (left + right);
-    return fabs(above * (b->rise[k + 1] - b->rise[k]));
+    return fabs(above * ((P[k + 1] - P[k]) / right - (P[k] - P[k - 1]) / left));
 }
 
 static void drop(double *of, int k, int n) {
@@ -53,7 +47,7 @@ static void drop(double *of, int k, int n) {
 /* Drops breakpoints without effect, and those that do not fit, smallest effect first. A second call changes nothing. */
 static void thin(tr_bed *b) {
     double lost[TR_BED_POINTS + 1];
-    for (int k = 1; k < b->n - 1; k++) lost[k] = share(b, k);
+    for (int k = 1; k < b->n - 1; k++) lost[k] = share(b->s, b->e, b->P, k);
     while (b->n > 2) {
         int k = 1;
         for (int j = 2; j < b->n - 1; j++)
@@ -64,11 +58,9 @@ static void thin(tr_bed *b) {
         }
         b->n--;
         if (k < b->kept) b->kept = k;
-        drop(b->s, k, b->n), drop(b->e, k, b->n), drop(b->P, k, b->n), drop(b->rise, k, b->n);
-        drop(lost, k, b->n - 1);
-        rise(b, k);
-        if (k > 1) lost[k - 1] = share(b, k - 1);
-        if (k < b->n - 1) lost[k] = share(b, k);
+        drop(b->s, k, b->n), drop(b->e, k, b->n), drop(b->P, k, b->n), drop(lost, k, b->n - 1);
+        if (k > 1) lost[k - 1] = share(b->s, b->e, b->P, k - 1);
+        if (k < b->n - 1) lost[k] = share(b->s, b->e, b->P, k);
     }
 }
 
@@ -80,7 +72,7 @@ static double capped(const tr_bed *b, double Q, double P) {
 double tr_bed_force(const tr_bed *b, double *below) {
     double sum = below[0] = 0;
     for (int k = 1; k < b->n; k++) {
-        sum += (b->e[k - 1] - b->e[k]) * b->rise[k];
+        sum += (b->e[k - 1] - b->e[k]) * ((b->P[k] - b->P[k - 1]) / (b->s[k] - b->s[k - 1]));
         below[k] = sum;
     }
     return b->n ? capped(b, sum / b->kappa, b->P[b->n - 1]) : 0;
@@ -168,10 +160,7 @@ static void load(tr_bed *b, const tr_tile *tile, int i) {
     double *const *hist = b->data->hist, *const *point = hist + 2;
     b->R1 = tile->R1[i], b->R2 = tile->R2[i];
     b->n = count(hist[0][c], TR_BED_POINTS), b->merged = count(hist[1][c], INT_MAX);
-    for (int k = 0; k < b->n; k++, point += 3) {
-        b->s[k] = point[0][c], b->e[k] = point[1][c], b->P[k] = point[2][c];
-        if (k) rise(b, k);
-    }
+    for (int k = 0; k < b->n; k++, point += 3) b->s[k] = point[0][c], b->e[k] = point[1][c], b->P[k] = point[2][c];
     b->kept = b->n, b->asked = 0;
 }
 

@@ -66,7 +66,6 @@ typedef struct tr_bed {
     int kept;                                          /* so many points, the lowest, have the s and P of the history */
     double s[TR_BED_POINTS + 1], e[TR_BED_POINTS + 1]; /* s[0] = 0 <...< s[n-1] = delta, e[n-1] = 0; n = 0: fresh */
     double P[TR_BED_POINTS + 1];                       /* P(s) */
-    double rise[TR_BED_POINTS + 1];                    /* rise[k]: of P over the piece from s[k-1] to s[k] */
     double asked, asked_P;                             /* the last place at which the normal law was asked, P there */
 } tr_bed;
 
