@@ -114,6 +114,38 @@ await check('400 disks: two samples side by side, three seeds one after the othe
     await b.evaluate(`app.set(app.scene.controls.find(c => c.key === 'beside'), 'nothing')`);
 });
 
+await check('400 disks: rolling moment and creep, two by two', async () => {
+    await b.evaluate(
+        `[...document.querySelectorAll('#controls button')].find(k => k.textContent.includes('2 × 2')).click()`);
+    const now = (mu_r, creep, left) =>
+        b.until(`app.playing && app.state.mu_r === ${mu_r} && app.state.creep === '${creep}' && app.queue.length === ${
+            left} && app.memory.curve.length > 8`);
+    for (const [mu_r, creep, left] of [[.5, 'no', 3], [.5, 'yes', 2], [0, 'no', 1], [0, 'yes', 0]]) {
+        await now(mu_r, creep, left);
+        want(await b.evaluate(`app.run.text.includes('dahlberg')`) === (creep === 'yes'), 'the law is another');
+        if (left) await b.evaluate('app.memory.last.strain = 1'); // as at the end
+    }
+    want(await b.evaluate(`document.getElementById('panel').textContent.match(/peak/g).length`) >= 3, 'no peaks');
+    await shoot('sample-four');
+    await b.evaluate(`app.set(app.scene.controls.find(c => c.key === 'creep'), 'no')`);
+});
+
+await check('the sheet to print: each scene with its question, the answers on the last page', async () => {
+    const {data} = await b.send('Page.printToPDF', {paperWidth: 8.27, paperHeight: 11.69});
+    const pdf = Buffer.from(data, 'base64'), pages = pdf.toString('latin1').match(/\/Type\s*\/Page\b/g).length;
+    if (shots) writeFileSync(`${shots}/sheet.pdf`, pdf);
+    want(pages >= 4 && pages <= scenes.length + 2, pages, 'pages');
+    await b.evaluate(`dispatchEvent(new Event('beforeprint'))`);
+    want(await b.evaluate(`document.querySelectorAll('#sheet canvas').length`) === scenes.length, 'pictures are missing');
+    want(await b.evaluate(`[...document.querySelectorAll('#sheet canvas')].every(c => {
+        const x = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
+        return x.some(v => v); })`), 'a picture is empty');
+    want(await b.evaluate(`document.querySelector('#sheet section:last-child').textContent.includes('Answers')`),
+         'no answers at the end');
+    await b.evaluate(`dispatchEvent(new Event('afterprint'))`);
+    want(await b.evaluate(`document.getElementById('sheet').textContent`) === '', 'the sheet stays');
+});
+
 // A picture at 60 a second has 16.7 ms; App gives 11 to the steps. The best of many: a busy machine takes time away.
 await check('400 disks: a picture is drawn in 5.5 ms', async () => {
     await b.until(ready);

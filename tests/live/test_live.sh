@@ -35,6 +35,7 @@ check 'the cases of a few disks: the same positions after 2000 steps' same 2000 
 moved() { [ "$(grep -c '^cases.* [0-9a-f]*$' "$work/wasm")" -ge 8 ]; }
 check 'and eight cases at least have moved' moved
 check 'the biaxial test: the same positions after 10,000 steps' same 10000 cases/biaxial.yaml
+check 'and with creep: the same positions after 2000 steps' same 2000 cases/biaxial-creep.yaml
 
 # What "copy case.yaml" gives, run by the command's library.
 copied() { mkdir -p "$work/copied/path" && node tests/live/cases.mjs "$page" "$work/copied"; }

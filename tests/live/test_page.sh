@@ -34,7 +34,10 @@ passed() {
 for name in 'every scene by keyboard alone' 'arrows are dragged, values typed, limits told' \
     'a link with nonsense opens the first scene and says so' \
     '400 disks: laws change while it runs, a contact is followed, the curve of before stays' \
-    '400 disks: two samples side by side, three seeds one after the other' '400 disks: a picture is drawn in 5.5 ms' \
+    '400 disks: two samples side by side, three seeds one after the other' \
+    '400 disks: rolling moment and creep, two by two' \
+    'the sheet to print: each scene with its question, the answers on the last page' \
+    '400 disks: a picture is drawn in 5.5 ms' \
     '1920 by 1080: nothing sticks out, dark and light' '1024 by 768: nothing sticks out, dark and light' \
     '390 by 844: nothing sticks out, dark and light' 'the console stays silent'; do
     check "$name" passed "$name"

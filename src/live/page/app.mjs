@@ -4,6 +4,7 @@ import {loadEngine} from './engine.mjs';
 import {Painter, short} from './draw.mjs';
 import {element, fillPanel} from './gauge.mjs';
 import {defaults, fromAddress, limit, SCENES, toAddress} from './show.mjs';
+import {makeSheet} from './sheet.mjs';
 import {word} from './words.mjs';
 
 const SLOWER = [1, 1 / 2, 1 / 5, 1 / 20], BUDGET = 11; /* ms of a picture for computing; 16 are there */
@@ -20,6 +21,8 @@ class App {
         this.live = element('p', {'aria-live': 'polite', class: 'aside', style: 'position:absolute;left:-999em'});
         document.body.append(this.live);
         this.keys(), this.pointer();
+        addEventListener('beforeprint', () => makeSheet(this, at('sheet')));
+        addEventListener('afterprint', () => at('sheet').replaceChildren());
         addEventListener('hashchange', () => this.fromAddress());
         this.fromAddress();
         requestAnimationFrame(t => this.frame(t));
@@ -192,6 +195,7 @@ class App {
             element('button', {onclick: () => this.share('link')}, word('ui.link')),
             element('button', {onclick: () => this.share('case')}, word('ui.case')),
             element('button', {onclick: () => this.share('still')}, word('ui.still')),
+            element('button', {onclick: () => print()}, word('ui.print')),
             element('button', {onclick: () => this.help()}, '?'));
         at('controls')
             .replaceChildren(

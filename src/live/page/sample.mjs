@@ -4,6 +4,11 @@ import {short} from './draw.mjs';
 import {word} from './words.mjs';
 
 const STRAIN = .2;
+/* Creep as in cases/biaxial-creep.yaml, on the spring of cases/biaxial.yaml, so that only creep differs. */
+const CREEP = {
+    no: 'coulomb-spring',
+    yes: 'dahlberg-alfredsson\n  E_star: 2*3.6*k_n/pi\n  creep_roll: wang'
+};
 
 /* Which contact lies nearest to a point of the world. */
 function nearest(touches, x, y) {
@@ -92,11 +97,12 @@ export const sampleScene = {
             value: 'wang',
             live: true
         },
+        {key: 'creep', name: 'creep', choices: ['no', 'yes'], value: 'no', live: true},
         {key: 'seed', name: 'seed', min: 1, max: 99, step: 1, value: 1},
         {
             key: 'beside',
             name: 'beside',
-            choices: ['nothing', 'mu_r0', 'wang', 'bagi-kuhn', 'alonso-min', 'alonso-mean'],
+            choices: ['nothing', 'mu_r0', 'creep', 'wang', 'bagi-kuhn', 'alonso-min', 'alonso-mean'],
             value: 'nothing'
         },
         {
@@ -110,7 +116,7 @@ export const sampleScene = {
     text: s => `# ${word('scene.sample.title')}\nkind: biaxial\nseed: ${s.seed}\n` +
                'sample: {disks: 400, r_min: 0.76 mm, r_max: 1.52 mm, density: 2700 kg/m^3}\n' +
                'contact:\n  normal: linear\n  k_n: 160 MPa\n' +
-               `  damping_ratio: 0.3\n  friction: coulomb-spring\n  mu: ${
+               `  damping_ratio: 0.3\n  friction: ${CREEP[s.creep]}\n  mu: ${
                    s.mu}\n  k_t: 0.5*k_n\n  rolling: wang-spring\n  rolling_velocity: ${s.definition}\n` +
                `  mu_r: ${s.mu_r}\n  k_r: k_t\ncompaction: {pressure: 160 kPa, mu: 0}\n` +
                `shear: {lateral_pressure: 160 kPa, inertial_number: 1e-3, strain_end: ${
@@ -118,7 +124,8 @@ export const sampleScene = {
     /* The same packing with one thing changed; null: nothing beside it. */
     other(s) {
         if (s.beside === 'nothing') return null;
-        return sampleScene.text(s.beside === 'mu_r0' ? {...s, mu_r: 0} : {...s, definition: s.beside});
+        const change = {mu_r0: {mu_r: 0}, creep: {creep: 'yes'}}[s.beside] ?? {definition: s.beside};
+        return sampleScene.text({...s, ...change});
     },
     /* Three seeds one after the other; their curves stay. */
     actions: [{
@@ -126,6 +133,13 @@ export const sampleScene = {
         run(app) {
             const first = app.state.seed, seeds = [first, first + 1, first + 2].filter(k => k <= 99);
             app.queue = seeds.map(seed => ({seed}));
+            app.next();
+        }
+    }, {
+        /* Rolling resistance and creep, each with and without, on one packing. */
+        name: 'four',
+        run(app) {
+            app.queue = [[.5, 'no'], [.5, 'yes'], [0, 'no'], [0, 'yes']].map(([mu_r, creep]) => ({mu_r, creep}));
             app.next();
         }
     }],
@@ -147,7 +161,7 @@ export const sampleScene = {
             box,
             last: world.biaxial(),
             follow: null,
-            label: `μ ${short(s.mu)}, μ_r ${short(s.mu_r)}, ${s.definition}, ${s.seed}`
+            label: `μ ${short(s.mu)}, μ_r ${short(s.mu_r)}, ${s.definition}${s.creep === 'yes' ? `, ${word('control.creep')}` : ''}, ${s.seed}`
         };
     },
     after({world, beside, memory}) {
@@ -205,6 +219,8 @@ export const sampleScene = {
             [word('sample.gears'), percent(all.gears)]
         ];
         if (memory.besideLast) lines.splice(1, 0, [`${word('sample.sinPhi')} B`, short(memory.besideLast.sinPhi)]);
+        const peak = points => short(Math.max(...points.map(k => k[1])));
+        for (const g of memory.ghosts) lines.push([`${word('sample.peak')} ${g.label}`, peak(g.points)]);
         if (memory.follow) {
             const t = world.touches(), {a, b} = memory.follow,
                   i = Array.from({length: t.n}, (_, k) => k).find(k => t.a(k) === a && t.b(k) === b);
