@@ -7,7 +7,7 @@ set -eu
 here=$(dirname "$0")
 page=$here/page
 # Each only needs those before it.
-modules='engine draw words gauge rim wheels pair coin throw carpet who thief slope gears inside sample show sheet app'
+modules='engine draw words gauge rim wheels pair coin throw carpet who thief slope gears inside sample show sheet tasks app'
 # Lines of page.html that are only @NAME@ are replaced.
 {
     while IFS= read -r line; do

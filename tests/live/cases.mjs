@@ -24,6 +24,7 @@ for (const scene of SCENES)
             scene.controls.some(c => String(back.state[c.key]) !== String(state[c.key])))
             throw new Error(`the address of ${scene.id} lost something: ${toAddress(scene, state)}`);
         writeFileSync(`${out}/${scene.open ? 'path/' : ''}${scene.id}-${k}.yaml`, scene.text(state));
+        if (scene.other?.(state)) writeFileSync(`${out}/${scene.id}-${k}-b.yaml`, scene.other(state));
     }
 
 // What is outside of its range stops at the limit; nonsense opens the first scene and is named.

@@ -104,6 +104,11 @@ await check('400 disks: two samples side by side, three seeds one after the othe
     const [a, other] = JSON.parse(await b.evaluate('JSON.stringify([app.run.world.hash(), app.run.beside.hash()])'));
     want(a !== other, 'both are the same');
     await shoot('sample-beside');
+    await b.evaluate(`[...document.querySelectorAll('#scenes button')].find(k => k.textContent === 'case.yaml').click()`);
+    const cases = JSON.parse(await b.evaluate(
+        `JSON.stringify([...document.querySelectorAll('#dialog textarea')].map(k => k.value.match(/mu_r: (.*)/)[1]))`));
+    want(cases.length === 2 && cases[0] !== '0' && cases[1] === '0', 'cases of A and B', cases);
+    await b.key('Escape');
     await b.evaluate(
         `[...document.querySelectorAll('#controls button')].find(k => k.textContent === 'Three seeds').click()`);
     await b.until('app.playing && app.state.seed === 1 && app.queue.length === 2');

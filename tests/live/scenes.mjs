@@ -97,4 +97,37 @@ for (let n = 3; n <= 8; n++) {
     if (n % 2 === 0)
         for (let k = 1; k < n; k++) close(`gears ${n}: spin of ${k}`, world.disk(k).spin, k % 2 ? -2 : 2, .05);
 }
+// Each task has an answer, and the scene as it opens is none. The thief makes 10 J/m, here twice of it, or the opposite; a
+// disk stops dead where 2 v = R w.
+const {TASKS, findTasks} = await import(`${page}/tasks.mjs`);
+const most = .3 * Math.sqrt(4 * 1e4 * .005 / Math.PI / (70e9 / 2 / .91)) / .005; // creepage at q = 1: mu a/R_star
+const answers = {
+    rim: [{v: .8, w: -3.2}, {v: .5, w: -4}],
+    wheels: [{v: .4, w: 3.2}],
+    coin: [{ratio: 4}],
+    throw: [{mu: .5, v: 1, w: 15}, {mu: .5, v: 1, w: 8}],
+    carpet: [{mu: .5, v: .8}],
+    who: [{ratio: .3, w1: 1, w2: -(10 ** -.3)}],       // R1 w1 + R2 w2 = 0
+    thief: [{du: 40, dtheta: .45}, {du: -30}],         // 10 J/m times (40 * 0.45)/(30 * 0.3)
+    slope: [{slope: 15, mu_r: .3}, {slope: 15, mu: .05, mu_r: .01}], // tan 15 deg = 0.27 > 3 mu - 2 mu_r = 0.13
+    gears: [{n: 4}],
+    inside: [{q: 1 - (1 - .001 / most) ** 2}, {q: 15 / 16}], // most (1 - sqrt(1 - q)) = 0.1 %; sqrt(1 - q) = 1/4
+};
+for (const [id, values] of Object.entries(answers)) {
+    const found = state => {
+        const hits = new Set();
+        for (const share of [.3, 1]) {
+            const got = at(id, state, share);
+            findTasks(got.run, got.state, got.read, hits);
+        }
+        return hits;
+    };
+    if (values.length !== TASKS[id].length || values.length !== WORDS.scene[id].tasks.length)
+        console.log(`${id}: a task has no answer here`), bad++;
+    values.forEach((state, i) => {
+        if (!found(state).has(i)) console.log(`${id}: task ${i} is not found by ${JSON.stringify(state)}`), bad++;
+    });
+    const first = [...found({})];
+    if (first.length) console.log(`${id}: task ${first} is found at once`), bad++;
+}
 process.exit(bad ? 1 : 0);

@@ -5,6 +5,7 @@ import {Painter, short} from './draw.mjs';
 import {element, fillPanel} from './gauge.mjs';
 import {defaults, fromAddress, limit, SCENES, toAddress} from './show.mjs';
 import {makeSheet} from './sheet.mjs';
+import {findTasks, TASKS} from './tasks.mjs';
 import {word} from './words.mjs';
 
 const SLOWER = [1, 1 / 2, 1 / 5, 1 / 20], BUDGET = 11; /* ms of a picture for computing; 16 are there */
@@ -18,6 +19,7 @@ class App {
         this.states = new Map(SCENES.map(s => [s.id, defaults(s)]));
         this.kept = new Map(); /* what a scene remembers over a reset: ghosts, hits */
         this.revealed = new Set();
+        this.hits = new Map(SCENES.map(s => [s.id, new Set()])); /* tasks that were found */
         this.live = element('p', {'aria-live': 'polite', class: 'aside', style: 'position:absolute;left:-999em'});
         document.body.append(this.live);
         this.keys(), this.pointer();
@@ -174,6 +176,9 @@ class App {
             p.c.globalAlpha = .35, p.circle(h.x, h.y, .35 * p.em / p.scale, {fill: p.ink}), p.c.globalAlpha = 1;
         if (now - this.told < 100) return;
         this.told = now;
+        findTasks(this.run, this.state, r, this.hits.get(scene.id));
+        r.tasks = (TASKS[scene.id] ?? []).map(
+            (_, i) => `${this.hits.get(scene.id).has(i) ? '✓' : '○'} ${word(`scene.${scene.id}.tasks`)[i]}`);
         fillPanel(at('panel'), word(`scene.${scene.id}.title`), r, {covered, expert: this.expert});
         at('scrub').value = this.progress();
         if (!covered && now - (this.said ?? 0) > 1000 && this.live.textContent !== r.sentence)
@@ -333,12 +338,14 @@ class App {
         if (what === 'still')
             return this.painter.canvas.toBlob(
                 blob => element('a', {href: URL.createObjectURL(blob), download: `${this.scene.id}.png`}).click());
-        const text = what === 'link' ? location.href.replace(/#.*/, '') + toAddress(this.scene, this.state)
-                                     : this.scene.text(this.state);
+        const texts = what === 'link' ? [location.href.replace(/#.*/, '') + toAddress(this.scene, this.state)]
+                                      : [this.scene.text(this.state), this.scene.other?.(this.state)].filter(Boolean);
         const note = what === 'case' && this.run?.changed ? word('ui.changed') : '';
-        navigator.clipboard?.writeText(text).catch(() => {});
-        this.dialog(word(what === 'link' ? 'ui.link' : 'ui.caseHow'), note,
-                    element('textarea', {readonly: true, 'aria-label': what}, text));
+        navigator.clipboard?.writeText(texts[0]).catch(() => {});
+        this.dialog(word(what === 'link' ? 'ui.link' : 'ui.caseHow'), note, ...texts.flatMap((text, i) => [
+            ...(texts.length > 1 ? [element('p', {}, 'AB'[i])] : []),
+            element('textarea', {readonly: true, 'aria-label': texts.length > 1 ? `${what} ${'AB'[i]}` : what}, text)
+        ]));
     }
 
     help() {

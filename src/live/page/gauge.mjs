@@ -33,7 +33,7 @@ function bar(kind, name, value, scale, unit) {
 
 /* The readings of a scene:
  *   contacts: [{name, vs, vr}], scale: largest velocity of the bars [m/s], bars: [[name, value, scale, unit]],
- *   sentence,   lines: [[name, text]], definitions: {rolling: {...}, sliding: {...}} */
+ *   sentence,   lines: [[name, text]], tasks: [text], definitions: {rolling: {...}, sliding: {...}} */
 export function fillPanel(panel, title, r, {covered, expert}) {
     panel.className = covered ? 'covered' : '';
     const out = [element('h2', {}, title)];
@@ -49,6 +49,7 @@ export function fillPanel(panel, title, r, {covered, expert}) {
         }
         for (const b of r.bars ?? []) out.push(bar('plain', ...b));
         for (const [name, value] of r.lines ?? []) out.push(element('div', {}, `${name}: ${value}`));
+        for (const task of r.tasks ?? []) out.push(element('div', {}, `${word('pair.task')}: ${task}`));
         out.push(element('p', {}, r.sentence ?? ''));
         if (expert && r.definitions) out.push(table(r.definitions));
     }

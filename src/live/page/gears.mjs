@@ -65,6 +65,7 @@ export const gearsScene = {
         return {
             contacts: [],
             touches,
+            sliding,
             scale: RIM,
             lines: [
                 [word('gears.sliding'), `${sliding} / ${touches.length}`], [word('gears.lost'), `${short(lost)} W/m`],

@@ -114,6 +114,7 @@ export const thiefScene = {
             contacts: [],
             scale: 1,
             made,
+            last,
             lines: [
                 [word('thief.loops'), String(n)], [word('thief.total'), `${short(world.state().work)} J/m`],
                 [word('thief.each'), `${short(Math.abs(last) < small ? 0 : last)} J/m`],
