@@ -17,8 +17,9 @@ typedef struct live_cycle {
     int steps;
 } live_cycle;
 
-/* t = (ny, -nx) of the normal n from 1 to 2. Force on 2 along t times its way, and torques times angles; by the mean of the forces
- * at both ends of the step, which is exact for springs. The spring presses along the normal, where nothing moves. */
+/* t = (ny, -nx) of the normal n from 1 to 2. Force on 2 along t times its way, and torques times angles; by the
+ * mean of the forces at both ends of the step, which is exact for springs. The spring presses along the normal,
+ * where nothing moves. */
 static inline int live_cycle_step(live_cycle *c, trundle_contact *contact, trundle_error *error) {
     const int leg = c->steps / LIVE_LEG % 4;
     const double L = c->R1 + c->R2 - c->overlap, sense = leg < 2 ? 1 : -1;

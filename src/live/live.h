@@ -7,7 +7,7 @@
 
 #define EXPORT(name) __attribute__((export_name(#name))) name
 
-char *live_text(void);           /* the buffer for text that comes in */
+char *live_text(void);            /* the buffer for text that comes in */
 extern trundle_error live_failed; /* of the last function that failed */
 
 #endif

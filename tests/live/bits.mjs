@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What native.c does, in WebAssembly. usage: node bits.mjs ENGINE.mjs LIVE.wasm STEPS CASE.yaml...
-//                                        or: node bits.mjs ENGINE.mjs LIVE.wasm card CARD.csv
-//                                        or: node bits.mjs ENGINE.mjs LIVE.wasm cycle R1,R2,overlap,du,dtheta,STEPS,LAWS...
-//                                        or: node bits.mjs ENGINE.mjs LIVE.wasm patch CASE.yaml PATCH.csv
+//    or: node bits.mjs ENGINE.mjs LIVE.wasm card CARD.csv
+//    or: node bits.mjs ENGINE.mjs LIVE.wasm cycle R1,R2,overlap,du,dtheta,STEPS,LAWS...
+//    or: node bits.mjs ENGINE.mjs LIVE.wasm patch CASE.yaml PATCH.csv
 import {readFileSync} from 'node:fs';
 const [enginePath, wasm, what, ...files] = process.argv.slice(2);
 const {loadEngine} = await import(enginePath);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The cases that "case.yaml" gives, of each scene as it opens and with values from all over their ranges, into files; those of one contact
-// into DIRECTORY/path.
+// The cases that "case.yaml" gives, of each scene as it opens and with values from all over their ranges, into files;
+// those of one contact into DIRECTORY/path.
 // usage: node cases.mjs PAGE DIRECTORY
 import {readFileSync, writeFileSync} from 'node:fs';
 const [page, out] = process.argv.slice(2);

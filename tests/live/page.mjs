@@ -6,7 +6,8 @@ import {openBrowser} from './browser.mjs';
 
 const [program, folder, page, shots] = process.argv.slice(2);
 const b = await openBrowser(program, folder), url = `file://${page}`;
-const scenes = ['rim', 'wheels', 'pair', 'coin', 'throw', 'carpet', 'who', 'thief', 'slope', 'gears', 'inside', 'sample'],
+const scenes =
+          ['rim', 'wheels', 'pair', 'coin', 'throw', 'carpet', 'who', 'thief', 'slope', 'gears', 'inside', 'sample'],
       ready = 'window.app?.run != null';
 
 async function check(name, work) {
@@ -74,6 +75,18 @@ await check('a link with nonsense opens the first scene and says so', async () =
          'not told');
 });
 
+await check('the energy thief: one leg, one loop, by hand', async () => {
+    await b.open('about:blank', 'true');
+    await b.open(`${url}#thief`, ready);
+    const press = name =>
+        b.evaluate(`[...document.querySelectorAll('#controls button')].find(k => k.textContent === '${name}').click()`);
+    for (const [name, steps] of [['One leg', 100], ['One leg', 200], ['One loop', 400], ['One loop', 800]]) {
+        await press(name);
+        await b.until(`app.target === null && app.run.world.steps === ${steps}`);
+    }
+    await shoot('thief-loops');
+});
+
 await check('400 disks: laws change while it runs, a contact is followed, the curve of before stays', async () => {
     await b.open('about:blank', 'true');
     await b.open(`${url}#sample`, ready);
@@ -104,7 +117,8 @@ await check('400 disks: two samples side by side, three seeds one after the othe
     const [a, other] = JSON.parse(await b.evaluate('JSON.stringify([app.run.world.hash(), app.run.beside.hash()])'));
     want(a !== other, 'both are the same');
     await shoot('sample-beside');
-    await b.evaluate(`[...document.querySelectorAll('#scenes button')].find(k => k.textContent === 'case.yaml').click()`);
+    await b.evaluate(
+        `[...document.querySelectorAll('#scenes button')].find(k => k.textContent === 'case.yaml').click()`);
     const cases = JSON.parse(await b.evaluate(
         `JSON.stringify([...document.querySelectorAll('#dialog textarea')].map(k => k.value.match(/mu_r: (.*)/)[1]))`));
     want(cases.length === 2 && cases[0] !== '0' && cases[1] === '0', 'cases of A and B', cases);
@@ -122,9 +136,8 @@ await check('400 disks: two samples side by side, three seeds one after the othe
 await check('400 disks: rolling moment and creep, two by two', async () => {
     await b.evaluate(
         `[...document.querySelectorAll('#controls button')].find(k => k.textContent.includes('2 × 2')).click()`);
-    const now = (mu_r, creep, left) =>
-        b.until(`app.playing && app.state.mu_r === ${mu_r} && app.state.creep === '${creep}' && app.queue.length === ${
-            left} && app.memory.curve.length > 8`);
+    const now = (mu_r, creep, left) => b.until(`app.playing && app.state.mu_r === ${mu_r} && app.state.creep === '${
+        creep}' && app.queue.length === ${left} && app.memory.curve.length > 8`);
     for (const [mu_r, creep, left] of [[.5, 'no', 3], [.5, 'yes', 2], [0, 'no', 1], [0, 'yes', 0]]) {
         await now(mu_r, creep, left);
         want(await b.evaluate(`app.run.text.includes('dahlberg')`) === (creep === 'yes'), 'the law is another');
@@ -141,10 +154,12 @@ await check('the sheet to print: each scene with its question, the answers on th
     if (shots) writeFileSync(`${shots}/sheet.pdf`, pdf);
     want(pages >= 4 && pages <= scenes.length + 2, pages, 'pages');
     await b.evaluate(`dispatchEvent(new Event('beforeprint'))`);
-    want(await b.evaluate(`document.querySelectorAll('#sheet canvas').length`) === scenes.length, 'pictures are missing');
+    want(await b.evaluate(`document.querySelectorAll('#sheet canvas').length`) === scenes.length,
+         'pictures are missing');
     want(await b.evaluate(`[...document.querySelectorAll('#sheet canvas')].every(c => {
         const x = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
-        return x.some(v => v); })`), 'a picture is empty');
+        return x.some(v => v); })`),
+         'a picture is empty');
     want(await b.evaluate(`document.querySelector('#sheet section:last-child').textContent.includes('Answers')`),
          'no answers at the end');
     await b.evaluate(`dispatchEvent(new Event('afterprint'))`);

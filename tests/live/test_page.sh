@@ -32,7 +32,7 @@ passed() {
     false
 }
 for name in 'every scene by keyboard alone' 'arrows are dragged, values typed, limits told' \
-    'a link with nonsense opens the first scene and says so' \
+    'a link with nonsense opens the first scene and says so' 'the energy thief: one leg, one loop, by hand' \
     '400 disks: laws change while it runs, a contact is followed, the curve of before stays' \
     '400 disks: two samples side by side, three seeds one after the other' \
     '400 disks: rolling moment and creep, two by two' \

@@ -177,8 +177,9 @@ class App {
         if (now - this.told < 100) return;
         this.told = now;
         findTasks(this.run, this.state, r, this.hits.get(scene.id));
-        r.tasks = (TASKS[scene.id] ?? []).map(
-            (_, i) => `${this.hits.get(scene.id).has(i) ? '✓' : '○'} ${word(`scene.${scene.id}.tasks`)[i]}`);
+        r.tasks =
+            (TASKS[scene.id] ??
+             []).map((_, i) => `${this.hits.get(scene.id).has(i) ? '✓' : '○'} ${word(`scene.${scene.id}.tasks`)[i]}`);
         fillPanel(at('panel'), word(`scene.${scene.id}.title`), r, {covered, expert: this.expert});
         at('scrub').value = this.progress();
         if (!covered && now - (this.said ?? 0) > 1000 && this.live.textContent !== r.sentence)
@@ -342,10 +343,13 @@ class App {
                                       : [this.scene.text(this.state), this.scene.other?.(this.state)].filter(Boolean);
         const note = what === 'case' && this.run?.changed ? word('ui.changed') : '';
         navigator.clipboard?.writeText(texts[0]).catch(() => {});
-        this.dialog(word(what === 'link' ? 'ui.link' : 'ui.caseHow'), note, ...texts.flatMap((text, i) => [
-            ...(texts.length > 1 ? [element('p', {}, 'AB'[i])] : []),
-            element('textarea', {readonly: true, 'aria-label': texts.length > 1 ? `${what} ${'AB'[i]}` : what}, text)
-        ]));
+        this.dialog(
+            word(what === 'link' ? 'ui.link' : 'ui.caseHow'), note,
+            ...texts.flatMap(
+                (text, i) => [...(texts.length > 1 ? [element('p', {}, 'AB'[i])] : []),
+                              element('textarea',
+                                      {readonly: true, 'aria-label': texts.length > 1 ? `${what} ${'AB'[i]}` : what},
+                                      text)]));
     }
 
     help() {

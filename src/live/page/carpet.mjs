@@ -20,8 +20,8 @@ export const carpetScene = {
     text: s => throwScene.text({...s, shape: 'disk', x: -ICE})
                    .replace(/^# .*/, `# ${word('scene.carpet.title')}`)
                    .replace(/time_end: .*/, `time_end: ${carpetScene.seconds} s`)
-                   .replace('- {nx: 0, ny: 1}', `- {nx: 0, ny: 1, to: 0}\n  - {nx: 0, ny: 1, from: 0, contact: {mu: ${
-                                                    s.mu2}}}`),
+                   .replace('- {nx: 0, ny: 1}',
+                            `- {nx: 0, ny: 1, to: 0}\n  - {nx: 0, ny: 1, from: 0, contact: {mu: ${s.mu2}}}`),
     draw(p, run, s, r) {
         const d = run.world.disk(0);
         throwScene.draw.call(this, p, run, s, r);

@@ -213,8 +213,7 @@ class Cycle {
     }
 }
 
-const INSIDE =
-    ['steps', 'n', 'rolls', 'P', 'a', 'Q', 'q', 'u_slide', 'u_roll', 'creepage', 'stick', 'dissipated'];
+const INSIDE = ['steps', 'n', 'rolls', 'P', 'a', 'Q', 'q', 'u_slide', 'u_roll', 'creepage', 'stick', 'dissipated'];
 
 /* It steps as a world does, 50 steps a second. */
 class Inside {
@@ -240,12 +239,9 @@ class Inside {
 
     elements() {
         const n = this.state().n, all = this.engine.doubles(this.engine.c.live_inside_elements(), 5 * n);
-        return Array.from({length: n}, (_, i) => ({
-                                           x: all[5 * i],
-                                           p: all[5 * i + 1],
-                                           tau: all[5 * i + 2],
-                                           slip: all[5 * i + 3],
-                                           side: all[5 * i + 4]
-                                       }));
+        return Array.from(
+            {length: n},
+            (_, i) =>
+                ({x: all[5 * i], p: all[5 * i + 1], tau: all[5 * i + 2], slip: all[5 * i + 3], side: all[5 * i + 4]}));
     }
 }

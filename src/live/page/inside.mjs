@@ -16,11 +16,12 @@ export const insideScene = {
         {key: 'mu', name: 'μ', unit: '', min: .05, max: 1, step: .01, value: .3},
     ],
     open: (engine, s) => engine.inside(insideScene.text(s)),
-    text: s => `# ${word('scene.inside.title')}\nkind: patch\nbodies: {R1: ${ROLLER} m, R2: ${
-                   ROLLER} m, E: 70 GPa, nu: 0.3}\nmu: ${s.mu}\nsolver: half-plane\nelements: 100\nLambda: 4.5\npath:\n` +
-               `  - {force: ${s.press} kN/m, tangential: ${s.q}*mu*P, steps: ${PUSH}}\n` +
-               `  - {force: P, tangential: ${s.q}*mu*P, roll: ${s.far}*a, steps: ${
-                   ROLL}}\noutput: {frames: 60, snapshots: 12}\n`,
+    text: s =>
+        `# ${word('scene.inside.title')}\nkind: patch\nbodies: {R1: ${ROLLER} m, R2: ${
+            ROLLER} m, E: 70 GPa, nu: 0.3}\nmu: ${s.mu}\nsolver: half-plane\nelements: 100\nLambda: 4.5\npath:\n` +
+        `  - {force: ${s.press} kN/m, tangential: ${s.q}*mu*P, steps: ${PUSH}}\n` +
+        `  - {force: P, tangential: ${s.q}*mu*P, roll: ${s.far}*a, steps: ${
+            ROLL}}\noutput: {frames: 60, snapshots: 12}\n`,
     begin: () => ({}),
     /* Lengths in a, tractions in mu p0. */
     draw(p, {world}, s, r) {
@@ -98,8 +99,11 @@ export const insideScene = {
                 [word('inside.creepage'), `${percent(n.rolls ? n.creepage : NaN)} %`],
                 [word('inside.carter'), `${percent(carter)} %`]
             ],
-            sentence: word('inside.' + (!n.steps ? 'start' : full && n.steps >= PUSH ? 'full' : !n.rolls ? 'push'
-                                        : rolled < 3 ? 'begins' : 'steady'))
+            sentence: word('inside.' + (!n.steps                  ? 'start'
+                                        : full && n.steps >= PUSH ? 'full'
+                                        : !n.rolls                ? 'push'
+                                        : rolled < 3              ? 'begins'
+                                                                  : 'steady'))
         };
     },
 };

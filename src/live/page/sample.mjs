@@ -128,21 +128,24 @@ export const sampleScene = {
         return sampleScene.text({...s, ...change});
     },
     /* Three seeds one after the other; their curves stay. */
-    actions: [{
-        name: 'seeds',
-        run(app) {
-            const first = app.state.seed, seeds = [first, first + 1, first + 2].filter(k => k <= 99);
-            app.queue = seeds.map(seed => ({seed}));
-            app.next();
+    actions: [
+        {
+            name: 'seeds',
+            run(app) {
+                const first = app.state.seed, seeds = [first, first + 1, first + 2].filter(k => k <= 99);
+                app.queue = seeds.map(seed => ({seed}));
+                app.next();
+            }
+        },
+        {
+            /* Rolling resistance and creep, each with and without, on one packing. */
+            name: 'four',
+            run(app) {
+                app.queue = [[.5, 'no'], [.5, 'yes'], [0, 'no'], [0, 'yes']].map(([mu_r, creep]) => ({mu_r, creep}));
+                app.next();
+            }
         }
-    }, {
-        /* Rolling resistance and creep, each with and without, on one packing. */
-        name: 'four',
-        run(app) {
-            app.queue = [[.5, 'no'], [.5, 'yes'], [0, 'no'], [0, 'yes']].map(([mu_r, creep]) => ({mu_r, creep}));
-            app.next();
-        }
-    }],
+    ],
     begin(world, s, before) {
         const ghosts = before?.ghosts ?? [];
         if (before?.curve.length > 5) ghosts.push({points: before.curve, label: before.label});
@@ -161,7 +164,8 @@ export const sampleScene = {
             box,
             last: world.biaxial(),
             follow: null,
-            label: `μ ${short(s.mu)}, μ_r ${short(s.mu_r)}, ${s.definition}${s.creep === 'yes' ? `, ${word('control.creep')}` : ''}, ${s.seed}`
+            label: `μ ${short(s.mu)}, μ_r ${short(s.mu_r)}, ${s.definition}${
+                s.creep === 'yes' ? `, ${word('control.creep')}` : ''}, ${s.seed}`
         };
     },
     after({world, beside, memory}) {

@@ -39,9 +39,9 @@ export function makeSheet(app, box) {
             canvas.replaceWith(element('p', {}, e.message));
         }
     }
-    box.append(element('section', {class: 'last'}, element('h2', {}, word('ui.answers')),
-                       ...SCENES.map((s, i) => element('p', {}, element('b', {}, `${title(s, i)}: `),
-                                                       answers(s)[word(`scene.${s.id}.right`)], '. ',
-                                                       word(`scene.${s.id}.reveal`)))));
+    box.append(element(
+        'section', {class: 'last'}, element('h2', {}, word('ui.answers')),
+        ...SCENES.map((s, i) => element('p', {}, element('b', {}, `${title(s, i)}: `),
+                                        answers(s)[word(`scene.${s.id}.right`)], '. ', word(`scene.${s.id}.reveal`)))));
     document.documentElement.classList.remove('paper');
 }

@@ -13,8 +13,10 @@ import {throwScene} from './throw.mjs';
 import {wheelsScene} from './wheels.mjs';
 import {whoScene} from './who.mjs';
 
-export const SCENES =
-    [rimScene, wheelsScene, pairScene, coinScene, throwScene, carpetScene, whoScene, thiefScene, slopeScene, gearsScene, insideScene, sampleScene];
+export const SCENES = [
+    rimScene, wheelsScene, pairScene, coinScene, throwScene, carpetScene, whoScene, thiefScene, slopeScene, gearsScene,
+    insideScene, sampleScene
+];
 
 /* Inside its range; {value, limited}. NaN: the default. */
 export function limit(control, value) {

@@ -4,7 +4,7 @@ import {short} from './draw.mjs';
 import {word} from './words.mjs';
 
 const SMALL = .1, THIN = 1e-4, STIFF = 1e5; /* R1 [m]; overlap [m]; k_r [Pa] */
-const LOOP = 4, LOOPS = 10;                     /* [s]: a leg takes a second */
+const LOOP = 4, LOOPS = 10;                 /* [s]: a leg takes a second */
 
 /* The bound of rolling is far away: it is a spring all along. */
 export function thiefLaws(s) {
@@ -88,8 +88,12 @@ export const thiefScene = {
             p.circle(cx, cy, R, {fill: p.fill, stroke: p.ink});
             for (let k = 0; k < 12; k++) {
                 const t = a + k * Math.PI / 6, long = k ? .9 : .4;
-                p.path([[cx + long * R * Math.cos(t), cy + long * R * Math.sin(t)],
-                        [cx + R * Math.cos(t), cy + R * Math.sin(t)]], k ? p.faint : p.ink, k ? .08 : .2);
+                p.path(
+                    [
+                        [cx + long * R * Math.cos(t), cy + long * R * Math.sin(t)],
+                        [cx + R * Math.cos(t), cy + R * Math.sin(t)]
+                    ],
+                    k ? p.faint : p.ink, k ? .08 : .2);
             }
             p.text(name, cx - .2 * R, cy - .2 * R, {bold: true});
         }
@@ -120,7 +124,10 @@ export const thiefScene = {
                 [word('thief.each'), `${short(Math.abs(last) < small ? 0 : last)} J/m`],
                 [word('thief.exact'), `${short(exact)} J/m`]
             ],
-            sentence: word('thief.' + (!n ? 'wait' : made > small ? 'made' : made < -small ? 'lost' : 'none'))
+            sentence: word('thief.' + (!n              ? 'wait'
+                                       : made > small  ? 'made'
+                                       : made < -small ? 'lost'
+                                                       : 'none'))
         };
     },
 };
