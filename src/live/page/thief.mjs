@@ -99,7 +99,7 @@ export const thiefScene = {
         }
         p.circle(L, 0, .02 * reach, {stroke: p.faint});
         if (world.steps) p.label(word('thief.legs')[leg], p.px(R2), whole.y + p.em, {align: 'center', bold: true});
-        const view = [p.x0, p.y0, p.scale], size = Math.max(1e-3, ...world.work.map(Math.abs)),
+        const view = [p.x0, p.y0, p.scale], size = r.tell ? Math.max(1e-3, ...world.work.map(Math.abs)) : 1,
               points = world.work.map((work, k) => [k / (10 * LOOP), work]);
         p.chart({x: whole.x + .5 * whole.w, y: whole.y, w: .5 * whole.w, h: whole.h}, {
             x: [0, LOOPS],
