@@ -105,14 +105,14 @@ TRUNDLE_API int trundle_world_disk(const trundle_world *world, int i, trundle_di
 TRUNDLE_API int trundle_world_set_velocity(trundle_world *world, int i, double vx, double vy, double spin,
                                            trundle_error *error);
 
-/* From the next step on the world follows `contact` of another scene. Contacts keep the histories of a law of friction and
- * of rolling that stays; all others are zero. The length of a step stays: if it is too long for these laws, a step fails. The
- * contacts can be read after the next step. The shape must be the same, else TRUNDLE_BAD_CASE. After TRUNDLE_FILE the world
- * can only be read and freed. */
+/* From the next step on the world follows `contact` of another scene. Contacts keep the histories of a law of friction
+ * and of rolling that stays; all others are zero. The length of a step stays: if it is too long for these laws, a step
+ * fails. The contacts can be read after the next step. The shape must be the same, else TRUNDLE_BAD_CASE. After
+ * TRUNDLE_FILE the world can only be read and freed. */
 TRUNDLE_API int trundle_world_change_laws(trundle_world *world, const trundle_scene *scene, trundle_error *error);
 
-/* The touching contacts, those of two disks first, then of walls, then of rings, each sorted by (a, b). Returns how many
- * there are, and writes the first `room` of them. -1: memory is short. touch may be NULL if room is 0. */
+/* The touching contacts, those of two disks first, then of walls, then of rings, each sorted by (a, b). Returns how
+ * many there are, and writes the first `room` of them. -1: memory is short. touch may be NULL if room is 0. */
 TRUNDLE_API int trundle_world_contacts(trundle_world *world, trundle_touch *touch, int room, trundle_error *error);
 
 /* kind: biaxial, else TRUNDLE_BAD_CASE. */
@@ -122,9 +122,9 @@ TRUNDLE_API int trundle_world_biaxial(trundle_world *world, trundle_biaxial *sta
 
 typedef struct trundle_contact trundle_contact;
 
-/* Two disks, or with R1 = 0 a plane (body 1) and a disk, or with R1 < 0 a ring of the inner radius -R1 and a disk in it.
- * Densities give the masses for dashpots [kg/m^3]; m = density pi R^2. Normal of the plane, towards the disk: nx, ny, of
- * length 1; ignored for two disks. Laws for spheres are refused. */
+/* Two disks, or with R1 = 0 a plane (body 1) and a disk, or with R1 < 0 a ring of the inner radius -R1 and a disk in
+ * it. Densities give the masses for dashpots [kg/m^3]; m = density pi R^2. Normal of the plane, towards the disk: nx,
+ * ny, of length 1; ignored for two disks. Laws for spheres are refused. */
 typedef struct trundle_pair {
     double R1, R2, density1, density2, nx, ny;
 } trundle_pair;
@@ -166,10 +166,9 @@ typedef enum trundle_velocity { TRUNDLE_ROLLING, TRUNDLE_SLIDING } trundle_veloc
 TRUNDLE_API int trundle_definition_count(trundle_velocity kind);
 TRUNDLE_API const char *trundle_definition_name(trundle_velocity kind, int i);
 
-/* Definition i of two disks that move like this [m/s; an angle by author: rad/s]. R1 = INFINITY: body 1 is a plane through
- * (x, y) of one, that turns with its spin; its normal points at the centre of two. R1 < 0: body 1 is a ring of the inner radius
- * -R1 around body 2. NaN if there is no such definition, or
- * the centres coincide. */
+/* Definition i of two disks that move like this [m/s; an angle by author: rad/s]. R1 = INFINITY: body 1 is a plane
+ * through (x, y) of one, that turns with its spin; its normal points at the centre of two. R1 < 0: body 1 is a ring of
+ * the inner radius -R1 around body 2. NaN if there is no such definition, or the centres coincide. */
 TRUNDLE_API double trundle_definition_value(trundle_velocity kind, int i, double R1, double R2, const trundle_body *one,
                                             const trundle_body *two);
 

@@ -29,8 +29,8 @@ static bool check(const trundle_pair *p, tr_status *st) {
         return tr_status_fail(st, TR_BAD_CASE,
                               "error: radii and densities must be positive (R1 = 0: a plane, R1 < 0: a ring)");
     if (p->R1 < 0 && !(p->R2 < -p->R1))
-        return tr_status_fail(st, TR_BAD_CASE,
-                              "error: R1 = %g m is a ring, which holds smaller disks only, and R2 = %g m", p->R1, p->R2);
+        return tr_status_fail(
+            st, TR_BAD_CASE, "error: R1 = %g m is a ring, which holds smaller disks only, and R2 = %g m", p->R1, p->R2);
     return !plane || fabs(tr_hypot(p->nx, p->ny) - 1) < 1e-9 ||
            tr_status_fail(st, TR_BAD_CASE, "error: the normal of the plane must have the length 1");
 }
@@ -77,7 +77,8 @@ static bool set_up(trundle_contact *c, const trundle_pair *p, tr_status *st) {
     w->n_rings = p->R1 < 0; /* with the mass and inertia of a disk of that radius */
     tr_world_set_disk(w, c->plane ? 0 : 1, 0, 0, 0, p->R2, p->density2, false);
     if (c->plane) w->wall[0] = (tr_wall){.nx = p->nx, .ny = p->ny}, w->n_walls = 1;
-    double along[] = {c->plane ? p->nx : 1, c->plane ? p->ny : 0}, R = p->R1 + p->R2, reach = fabs(R) * (R < 0 ? 1 + 1e-9 : 1 - 1e-9);
+    double along[] = {c->plane ? p->nx : 1, c->plane ? p->ny : 0}, R = p->R1 + p->R2,
+           reach = fabs(R) * (R < 0 ? 1 + 1e-9 : 1 - 1e-9);
     place(c, &(trundle_body){0}, &(trundle_body){.x = along[0] * reach, .y = along[1] * reach});
     w->dt = 1, w->allow_unstable = true; /* the step is the caller's */
     if (!tr_world_set_laws(w, &c->scene.contact, false, 0, st) || !tr_step_forces(w, st)) return false;

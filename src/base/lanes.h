@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Arrays of bodies have four doubles for each body, so that one vector load takes them all: place x, y, angle and radius;
- * velocity vx, vy, spin; force fx, fy, torque. tr_body(i) is where those of body i begin. */
+/* Arrays of bodies have four doubles for each body, so that one vector load takes them all: place x, y, angle and
+ * radius; velocity vx, vy, spin; force fx, fy, torque. tr_body(i) is where those of body i begin. */
 #ifndef TR_LANES_H
 #define TR_LANES_H
 

@@ -25,7 +25,8 @@ typedef struct arguments {
 enum { CARD = 256, ARMS };
 
 static const struct argp_option options[] = {
-    {"output", 'o', "OUT.csv", 0, "write CSV to OUT.csv, only if all rows are right (default with FILE.csv: standard output)", 0},
+    {"output", 'o', "OUT.csv", 0,
+     "write CSV to OUT.csv, only if all rows are right (default with FILE.csv: standard output)", 0},
     {"card", CARD, "OUT.csv", 0,
      "write motions for another code to run, with overlap and with the springs to use, for trundle identify", 0},
     {"arms", ARMS, NULL, 0, "also the arms of every code: columns r1_..., r2_..., power_..., and a table of them", 0},

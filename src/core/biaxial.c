@@ -123,9 +123,9 @@ bool tr_biaxial_init(tr_biaxial *b, const tr_scene *scene, tr_status *st) {
             "error: compaction.mu = %g needs a friction law with a coefficient mu, not contact.friction: %s",
             scene->compaction.mu, tr_laws_friction[friction->law]->table.name);
     if (!tr_world_init(&b->world, n, scene->shape, st)) return false;
-    bool placed = *scene->sample.file
-                      ? tr_sample_place(&b->world, &scene->sample, side, st)
-                      : tr_sample_throw(&b->world, &scene->sample, scene->boundary == TR_PERIODIC, scene->seed, side, st);
+    bool placed = *scene->sample.file ? tr_sample_place(&b->world, &scene->sample, side, st)
+                                      : tr_sample_throw(&b->world, &scene->sample, scene->boundary == TR_PERIODIC,
+                                                        scene->seed, side, st);
     if (!placed) return tr_biaxial_free(b), false;
     if (!*scene->sample.file) side[1] = side[0];
     b->disk_area = tr_measures_disk_area(&b->world.disks);
@@ -146,7 +146,8 @@ bool tr_biaxial_init(tr_biaxial *b, const tr_scene *scene, tr_status *st) {
         b->world.wall[w] = walls[w];
     }
     if (scene->boundary == TR_PERIODIC) /* each side stands for two walls */
-        b->world.cell = (tr_periodic_cell){.side = {side[0], side[1]}, .mass = {row, row}, .v_max = {2 * v_max, 2 * v_max}};
+        b->world.cell =
+            (tr_periodic_cell){.side = {side[0], side[1]}, .mass = {row, row}, .v_max = {2 * v_max, 2 * v_max}};
     tr_scene_contact laws = tr_biaxial_compaction_laws(scene);
     double bound;
     const tr_scene_step step = {.safety = COMPACTION_SAFETY};

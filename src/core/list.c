@@ -12,9 +12,9 @@ enum {
     LINE = 8,   /* doubles in a cache line */
 };
 
-/* All histories and pair constants in one block, each an odd number of cache lines behind the one before. Large arrays that
- * are allocated one by one begin at the same place of a page; a law with many of them found few of its numbers in the
- * first-level cache. */
+/* All histories and pair constants in one block, each an odd number of cache lines behind the one before. Large arrays
+ * that are allocated one by one begin at the same place of a page; a law with many of them found few of its numbers in
+ * the first-level cache. */
 static bool grow_rows(tr_group *g, size_t keep, size_t length, tr_status *st) {
     double *block = tr_alloc((size_t)(g->n_hist + g->n_pair + 1) * length, sizeof *block, st), *row = block;
     if (!block) return false;

@@ -33,7 +33,8 @@ typedef struct tr_path_life {
     double x, y;                   /* branch: from the centre of a, from the foot at a wall, to the centre of b [m] */
 } tr_path_life;
 
-/* Follows paths->contacts, and all if it is set; *paths must outlive the world's laws. Call it after the laws are set. */
+/* Follows paths->contacts, and all if it is set; *paths must outlive the world's laws. Call it after the laws are set.
+ */
 void tr_paths_attach(tr_world *world, tr_paths *paths);
 
 /* After every tr_step_forces: the state of contact k. */

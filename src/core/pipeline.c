@@ -69,8 +69,8 @@ static bool is_law_of(const tr_world *world, int w, const tr_scene_contact *laws
 
 enum { MOST_GROUPS = TR_MAX_WALLS + 3 }; /* each wall with laws of its own */
 
-/* Walls of the same laws, with ends or without, share a group; the first is that of endless walls with the laws of disks.
- * Makes the groups, and finds the laws of each; NULL: those of disks. */
+/* Walls of the same laws, with ends or without, share a group; the first is that of endless walls with the laws of
+ * disks. Makes the groups, and finds the laws of each; NULL: those of disks. */
 static bool make_groups(tr_world *world, const tr_scene_contact *own[MOST_GROUPS], tr_status *st) {
     bool ends[MOST_GROUPS] = {false};
     int n = 2;

@@ -94,7 +94,8 @@ static void move_walls(tr_world *world) {
             wall->vx += world->dt * wall->gain * wall->nx, wall->vy += world->dt * wall->gain * wall->ny;
         }
         wall->x += world->dt * wall->vx, wall->y += world->dt * wall->vy;
-        fastest = fmax(fastest, wall->ends ? tr_hypot(wall->vx, wall->vy) : fabs(wall->vx * wall->nx + wall->vy * wall->ny));
+        fastest =
+            fmax(fastest, wall->ends ? tr_hypot(wall->vx, wall->vy) : fabs(wall->vx * wall->nx + wall->vy * wall->ny));
     }
     if (!world->boxed) world->wall_moved += world->dt * fastest;
 }

@@ -24,7 +24,8 @@ static pair pair_of(const tr_world *w, int a, int b) {
         tr_wall_touch touch = tr_wall_nearest(wall, q);
         return (pair){a, b, 0, q[3], touch.nx, touch.ny, touch.distance - q[3]};
     }
-    const double *p = w->disks.pos + tr_body(a), dx = q[0] - p[0], dy = q[1] - p[1], L = copysign(sqrt(dx * dx + dy * dy), p[3]);
+    const double *p = w->disks.pos + tr_body(a), dx = q[0] - p[0], dy = q[1] - p[1],
+                 L = copysign(sqrt(dx * dx + dy * dy), p[3]);
     return (pair){a, b, p[3], q[3], dx / L, dy / L, tr_world_gap(p, q)};
 }
 

@@ -14,7 +14,8 @@ bool tr_world_init(tr_world *world, int n, tr_shape shape, tr_status *st) {
     tr_disks *d = &world->disks;
     size_t lanes = (size_t)n * 4;
     world->broad = tr_broad_choose(n);
-    bool ok = (world->group = tr_alloc(2, sizeof *world->group, st)) && (world->tile = tr_alloc(1, sizeof *world->tile, st)) && (d->pos = tr_alloc(lanes, sizeof(double), st)) &&
+    bool ok = (world->group = tr_alloc(2, sizeof *world->group, st)) &&
+              (world->tile = tr_alloc(1, sizeof *world->tile, st)) && (d->pos = tr_alloc(lanes, sizeof(double), st)) &&
               (d->vel = tr_alloc(lanes, sizeof(double), st)) && (d->force = tr_alloc(lanes, sizeof(double), st)) &&
               (d->inv = tr_alloc(lanes, sizeof(double), st)) && (d->mass = tr_alloc((size_t)n, sizeof(double), st)) &&
               (d->inertia = tr_alloc((size_t)n, sizeof(double), st)) &&
@@ -35,7 +36,8 @@ void tr_group_free(tr_group *g) {
 
 void tr_world_free(tr_world *world) {
     tr_disks *d = &world->disks;
-    free(d->pos), free(d->vel), free(d->force), free(d->inv), free(d->load), free(d->mass), free(d->inertia), free(d->outer);
+    free(d->pos), free(d->vel), free(d->force), free(d->inv), free(d->load), free(d->mass), free(d->inertia),
+        free(d->outer);
     free(d->coordination);
     free(world->wide_ref), free(world->thin_ref), free(world->ledger), free(world->tile), free(world->picked);
     tr_parallel_free(world->parallel), tr_threads_free(world->threads);
@@ -71,7 +73,8 @@ bool tr_world_set_ring(tr_world *world, int i, double radius, double outer, doub
     if (!d->outer && !(d->outer = tr_alloc((size_t)d->n, sizeof *d->outer, st))) return false;
     bool shell = world->shape == TR_SHAPE_SPHERE;
     double m = density * M_PI * (shell ? 4.0 / 3 * (b * b * b - a * a * a) : b * b - a * a);
-    double I = shell ? 0.4 * m * (tr_pow(b, 5) - tr_pow(a, 5)) / (tr_pow(b, 3) - tr_pow(a, 3)) : 0.5 * m * (a * a + b * b);
+    double I =
+        shell ? 0.4 * m * (tr_pow(b, 5) - tr_pow(a, 5)) / (tr_pow(b, 3) - tr_pow(a, 3)) : 0.5 * m * (a * a + b * b);
     d->pos[tr_body(i) + TR_RADIUS] = -radius, d->outer[i] = outer;
     d->mass[i] = m, d->inertia[i] = I;
     for (int k = 0; k < 3; k++)
@@ -130,8 +133,8 @@ int tr_world_threads(const tr_world *world) {
 }
 
 size_t tr_world_bytes(const tr_world *world) {
-    size_t bytes =
-        sizeof *world + (size_t)world->n_groups * sizeof *world->group + sizeof *world->tile + (size_t)world->disks.n * ((4 * 4 + 2 + 4) * sizeof(double) + sizeof(int));
+    size_t bytes = sizeof *world + (size_t)world->n_groups * sizeof *world->group + sizeof *world->tile +
+                   (size_t)world->disks.n * ((4 * 4 + 2 + 4) * sizeof(double) + sizeof(int));
     if (world->ledger) bytes += sizeof *world->ledger;
     if (world->disks.load) bytes += (size_t)world->disks.n * 4 * sizeof(double);
     for (int k = 0; k < world->n_groups; k++) {

@@ -55,8 +55,8 @@ typedef struct tr_disks {
     int *coordination;               /* n: touching contacts of each, right after tr_timestep_contacts */
 } tr_disks;
 
-/* A rigid plane through (x, y); the disks are on the side of its unit normal. It does not rotate. With ends it is a thin
- * plate, see wall.h. */
+/* A rigid plane through (x, y); the disks are on the side of its unit normal. It does not rotate. With ends it is a
+ * thin plate, see wall.h. */
 typedef struct tr_wall {
     double x, y, nx, ny; /* [m] */
     double vx, vy;       /* [m/s] */
@@ -119,8 +119,17 @@ typedef struct tr_pass {
     tr_law_data data;
 } tr_pass;
 
-/* The pair constants of every contact. TR_PAIR_G1: R1/(R1+R2), 1 at a wall. In a cell also the image of b along x and y. */
-enum { TR_PAIR_R1, TR_PAIR_R2, TR_PAIR_G1, TR_PAIR_ALL, TR_PAIR_IMAGE_X = TR_PAIR_ALL, TR_PAIR_IMAGE_Y, TR_PAIR_IN_CELL };
+/* The pair constants of every contact. TR_PAIR_G1: R1/(R1+R2), 1 at a wall. In a cell also the image of b along x and
+ * y. */
+enum {
+    TR_PAIR_R1,
+    TR_PAIR_R2,
+    TR_PAIR_G1,
+    TR_PAIR_ALL,
+    TR_PAIR_IMAGE_X = TR_PAIR_ALL,
+    TR_PAIR_IMAGE_Y,
+    TR_PAIR_IN_CELL
+};
 
 /* Contacts that share a pipeline. In a group of walls, a is the number of a wall. */
 struct tr_group {
@@ -181,8 +190,8 @@ typedef struct tr_world {
     int arms;              /* index into tr_arms_rows */
     const tr_scene_contact **wall_laws;    /* of each wall, see tr_world_set_wall_laws; NULL: none has its own */
     unsigned char wall_kind[TR_MAX_WALLS]; /* wall w is in group[1 + wall_kind[w]] */
-    /* disk-disk; wall-disk; then what there is of walls with laws of their own, or with ends; of rings the last. The laws
-     * make them anew. */
+    /* disk-disk; wall-disk; then what there is of walls with laws of their own, or with ends; of rings the last. The
+     * laws make them anew. */
     tr_group *group;
     int n_groups;
     tr_ledger *ledger;     /* NULL: not kept */
@@ -226,8 +235,8 @@ static inline const tr_scene_contact *tr_world_wall_laws(const tr_world *world, 
     return world->wall_laws ? world->wall_laws[w] : NULL;
 }
 
-/* A ring, the inside of which other bodies touch, in place of disk i. See n_rings. outer: its outer radius [m]. Of spheres
- * it is a shell. False: memory is short. */
+/* A ring, the inside of which other bodies touch, in place of disk i. See n_rings. outer: its outer radius [m]. Of
+ * spheres it is a shell. False: memory is short. */
 bool tr_world_set_ring(tr_world *world, int i, double radius, double outer, double density, tr_status *st);
 
 /* Another moment of inertia for disk i [kg m], after tr_world_set_disk. */
@@ -245,15 +254,16 @@ static inline const tr_group *tr_world_group(const tr_world *world, int a) {
     return &world->group[a < world->n_rings ? world->n_groups - 1 : 0];
 }
 
-/* Gap between two bodies, p and q their x, y, angle, radius [m]; p may be a ring, and then q is inside of it. Infinite where they
- * cannot touch: outside of a ring, and of two rings. */
+/* Gap between two bodies, p and q their x, y, angle, radius [m]; p may be a ring, and then q is inside of it. Infinite
+ * where they cannot touch: outside of a ring, and of two rings. */
 static inline double tr_world_gap(const double *p, const double *q) {
     double apart = tr_hypot(q[0] - p[0], q[1] - p[1]);
     if (p[3] > 0 && q[3] > 0) return apart - p[3] - q[3];
     return q[3] > 0 && apart < -p[3] ? -p[3] - q[3] - apart : INFINITY;
 }
 
-/* The radius that overlaps are measured with: the smaller one, beside a wall (R1 = 0) or in a ring (R1 < 0) that of body 2. */
+/* The radius that overlaps are measured with: the smaller one, beside a wall (R1 = 0) or in a ring (R1 < 0) that of
+ * body 2. */
 static inline double tr_world_smaller(double R1, double R2) {
     return R1 > 0 ? fmin(R1, R2) : R2;
 }

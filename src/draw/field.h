@@ -10,8 +10,8 @@
  * contacts. 1 for the other fields, and if everything rests. [1 or m/s] */
 double tr_frame_range(const tr_record *record, int n, tr_color color);
 
-/* The field in a contact: mobilisation, |v_s|, |v_r|, the part of the width that slips, or from -1 (slides) to 1 (rolls)
- * the faster of both; only the part of the width needs the world. */
+/* The field in a contact: mobilisation, |v_s|, |v_r|, the part of the width that slips, or from -1 (slides) to 1
+ * (rolls) the faster of both; only the part of the width needs the world. */
 double tr_frame_field(const tr_world *world, const tr_record *record, tr_color color);
 
 /* The field of each disk: its mean over the n touching contacts of the disk, 0 without one; TR_COLOR_SPIN: angle turned

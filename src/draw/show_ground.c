@@ -58,7 +58,8 @@ static void draw_wall(const tr_stage *s, const tr_wall *wall) {
     tr_pen_line(s->cr, on_wall(&w, w.from), on_wall(&w, w.to), 4);
 }
 
-/* Where walls have laws of their own, the friction of each, below the middle of what is seen of it and the names of arcs. */
+/* Where walls have laws of their own, the friction of each, below the middle of what is seen of it and the names of
+ * arcs. */
 static void name_wall(const tr_stage *s, int i) {
     const tr_group_law *friction = &tr_world_group(s->lane->world, -1 - i)->laws[TR_FRICTION];
     const double *mu = friction->law->step ? tr_law_value(friction->law, friction->par, "mu") : NULL;

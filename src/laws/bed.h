@@ -21,11 +21,11 @@
  * memory. kappa, the initial normal over tangential stiffness: (2 - nu)/(2(1 - nu)) of spheres, 1 of disks with the
  * logarithmic law of their line contact. A linear P makes it a spring k_n/kappa capped at mu P.
  *
- * A breakpoint that takes no part in Q (collinear, or P linear around it) is dropped. Where P grows while du/ddelta varies
- * from step to step below mu kappa, each step leaves a breakpoint: of more than `breakpoints` the one goes whose
- * removal changes Q least, which is counted. Chords of a strain inside the caps are inside, so |Q| <= mu P still holds; the
- * store may rise as well as fall, by half of e times that change. On a path of 600 such steps, sliding to and fro six
- * times, hertz-line, hertz-sphere and a quadratic P:
+ * A breakpoint that takes no part in Q (collinear, or P linear around it) is dropped. Where P grows while du/ddelta
+ * varies from step to step below mu kappa, each step leaves a breakpoint: of more than `breakpoints` the one goes whose
+ * removal changes Q least, which is counted. Chords of a strain inside the caps are inside, so |Q| <= mu P still holds;
+ * the store may rise as well as fall, by half of e times that change. On a path of 600 such steps, sliding to and fro
+ * six times, hertz-line, hertz-sphere and a quadratic P:
  *
  *   points   largest error of Q/(mu P)     largest gain of the store in a step, of mu P mu kappa delta
  *   8        0.003, 0.009, 0.03            4e-6
@@ -75,7 +75,8 @@ double tr_bed_force(const tr_bed *bed, double *below);
 /* One step to the overlap delta > 0, where the elastic force is P, with the tangential displacement du; returns Q. */
 double tr_bed_advance(tr_bed *bed, double delta, double P, double du);
 
-/* What Q would be, and dQ/ddu [Pa], of the bed as it is: by the parts below of tr_bed_force, which du does not change. */
+/* What Q would be, and dQ/ddu [Pa], of the bed as it is: by the parts below of tr_bed_force, which du does not change.
+ */
 double tr_bed_trial(tr_bed *bed, const double *below, double delta, double P, double du, double *slope);
 
 /* Whether all of the bed would slip, towards +du or, side = -1, towards -du. */

@@ -4,14 +4,14 @@
  *   Q' = clamp(Q + k_t Vs dt, -mu f_n, +mu f_n),   f_t = clamp(Q' + c Vs, -mu f_n, +mu f_n)
  *   Q = Q' less what was above the bound, at least 0 of it;   c = 2 tangential_damping_ratio sqrt(k_t m_eff)
  *
- * History: Q [N/m], the force of the spring. The clamped value is stored, so a spring that slides keeps the stretch it can
- * hold; no force, no history. Friction on body 2 is -f_t t. Without the dashpot (the default) f_t = Q. v -> 0: a spring.
- * mu = 0: nothing.
+ * History: Q [N/m], the force of the spring. The clamped value is stored, so a spring that slides keeps the stretch it
+ * can hold; no force, no history. Friction on body 2 is -f_t t. Without the dashpot (the default) f_t = Q. v -> 0: a
+ * spring. mu = 0: nothing.
  *
- * THE DASHPOT IS INSIDE OF THE BOUND. Where spring and dashpot together would exceed mu f_n, the spring gives way, so that
- * both together are mu f_n [Luding2008]. It gives way to 0 and no further: a fast dashpot that stretched the spring the other way
- * would store energy that nothing has spent. What is left of the dashpot then has the sign of Vs and at most c Vs, so it only takes
- * energy, at any speed.
+ * THE DASHPOT IS INSIDE OF THE BOUND. Where spring and dashpot together would exceed mu f_n, the spring gives way, so
+ * that both together are mu f_n [Luding2008]. It gives way to 0 and no further: a fast dashpot that stretched the
+ * spring the other way would store energy that nothing has spent. What is left of the dashpot then has the sign of Vs
+ * and at most c Vs, so it only takes energy, at any speed.
  */
 #include "base/vector.h"
 #include "laws/law.h"

@@ -77,9 +77,10 @@ static attempt try(const trial *t, double w) {
                      -t->most * (t->sphere ? 6 * y : 2)};
 }
 
-/* The root of excess in [0, 1], from the first attempt on. J is taken as straight, so that a parabola is left to be solved: each
- * time what is left of the error is its square. What leaves the bracket is halved. As slope > creep dQ/dx, excess bounds
- * the error of Q. From 1e-8 mu P a last step leaves rounding, of disks; a cubic near full slip is not its parabola. */
+/* The root of excess in [0, 1], from the first attempt on. J is taken as straight, so that a parabola is left to be
+ * solved: each time what is left of the error is its square. What leaves the bracket is halved. As slope > creep dQ/dx,
+ * excess bounds the error of Q. From 1e-8 mu P a last step leaves rounding, of disks; a cubic near full slip is not its
+ * parabola. */
 static double root(const trial *t, attempt now) {
     double a = 0, b = 1;
     if (tr_bed_slips(t->bed, t->delta, displaced(t, 1), t->side)) return 1;

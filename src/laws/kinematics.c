@@ -16,8 +16,8 @@
  * and angular momentum would drift; with r1, r2 in velocity and torque both vanish. Eqs. 16, 23, 24 as printed are
  * right only with t = k x n, the opposite of the paper's own t (and of ours).
  *
- * Ring (body 1, around body 2), of inner radius R: R1 = -R and L = -|X21| in all of this, so n points from the contact to the
- * ring's centre, r1 < 0 and g1 > 1. A disk in the middle has no normal; it does not touch, n = 0.
+ * Ring (body 1, around body 2), of inner radius R: R1 = -R and L = -|X21| in all of this, so n points from the contact
+ * to the ring's centre, r1 < 0 and g1 > 1. A disk in the middle has no normal; it does not touch, n = 0.
  *
  * Wall (body 1, a plane that does not rotate), in its frame: Vt = V21.t, s1 = Vt, s2 = -R2 w2, Vs = Vt + r2 w2, r1 = 0.
  * A limit of the arms for R1 -> infinity is not asked for: shared gives the whole overlap to the wall, r2 = R2;
@@ -108,8 +108,8 @@ INLINE void move_wall(tr_tile *restrict tile, wall_arm *of) {
     tile->touching = touching;
 }
 
-/* A wall with ends: g1 = 1 on its face; g1 = 0 at a corner, a body of radius 0, so that r2 = L whatever the arms, s1 = 0 and
- * the branch vector turns. dx: L, distance from the nearest point. */
+/* A wall with ends: g1 = 1 on its face; g1 = 0 at a corner, a body of radius 0, so that r2 = L whatever the arms, s1 =
+ * 0 and the branch vector turns. dx: L, distance from the nearest point. */
 INLINE void move_edge(tr_tile *restrict tile, wall_arm *of) {
     const double *restrict R2 = tile->R2, *restrict g1 = tile->g1;
     int touching = 0;

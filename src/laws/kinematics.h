@@ -20,8 +20,8 @@ typedef struct tr_arms {
     const char *source, *formula;
     unsigned claims;          /* tr_arms_claims */
     tr_pass_run *arms;        /* after kinematics: writes the arms of the torques into r1, r2 */
-    /* The kinematics of a scene with them: of two disks; of a disk in a ring, R1 < 0; of a disk at a wall; the same where the
-     * wall has ends, and g1 = 0 at one of them, a point. */
+    /* The kinematics of a scene with them: of two disks; of a disk in a ring, R1 < 0; of a disk at a wall; the same
+     * where the wall has ends, and g1 = 0 at one of them, a point. */
     tr_pass_run *pair, *ring, *wall, *edge;
 } tr_arms;
 

@@ -83,12 +83,12 @@ typedef struct tr_law_data {
 
 typedef void tr_pass_run(tr_tile *tile, const tr_law_data *data);
 
-/* Two bodies that may touch: radii [m] (R1 = 0 at a wall, < 0 of a ring), masses [kg/m] and moments of inertia [kg m]. A mass is infinite
- * where the motion of the centre is given, an inertia where the spin is; a wall has both. on_path: the driver of kind:
- * contact gives both spins, whatever the inertias. z: contacts that 1 and 2 may have, 0 counts as 1; for tr_law.pair
- * alone. For tr_law.stiffness of friction and rolling laws also the greatest overlap to expect [m], with the normal force
- * [N/m] and stiffness [Pa] there. p1, p2: for tr_law.stiffness of laws with TR_NEEDS_PARTIALS, dV_r/ds1 and
- * dV_r/ds2. */
+/* Two bodies that may touch: radii [m] (R1 = 0 at a wall, < 0 of a ring), masses [kg/m] and moments of inertia [kg m].
+ * A mass is infinite where the motion of the centre is given, an inertia where the spin is; a wall has both. on_path:
+ * the driver of kind: contact gives both spins, whatever the inertias. z: contacts that 1 and 2 may have, 0 counts as
+ * 1; for tr_law.pair alone. For tr_law.stiffness of friction and rolling laws also the greatest overlap to expect [m],
+ * with the normal force [N/m] and stiffness [Pa] there. p1, p2: for tr_law.stiffness of laws with TR_NEEDS_PARTIALS,
+ * dV_r/ds1 and dV_r/ds2. */
 typedef struct tr_pair_bodies {
     double R1, R2, m1, m2, I1, I2;
     double delta, f_n, k_n;
@@ -120,8 +120,8 @@ static inline double tr_law_m_eff(const tr_pair_bodies *b) {
 static inline double tr_law_width(tr_shape shape, double P, double R_star, double E_star) {
     return shape == TR_SHAPE_SPHERE ? tr_cbrt(0.75 * P * R_star / E_star) : sqrt(4 / M_PI * P * R_star / E_star);
 }
-/* The depth d of the approach of a line contact [m]; 0 stands for that of disks pressed between plates, 2 sqrt(R1 R2)/e,
- * 2 R2/e at a wall or in a ring. */
+/* The depth d of the approach of a line contact [m]; 0 stands for that of disks pressed between plates, 2 sqrt(R1
+ * R2)/e, 2 R2/e at a wall or in a ring. */
 static inline double tr_law_depth(double given, double R1, double R2) {
     return given > 0 ? given : 2 / M_E * (R1 > 0 ? sqrt(R1 * R2) : R2);
 }

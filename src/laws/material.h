@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The parameters that several laws share: the material of the two bodies and their contact. Each row stands here once, with its
- * unit, range and words. A law lists it in its own rows with the place in its own struct, so a key of a case means the same
- * in every law that reads it. `at` is that place, `fallback` the default ("0.3"; NULL: the case must give the key). */
+/* The parameters that several laws share: the material of the two bodies and their contact. Each row stands here once,
+ * with its unit, range and words. A law lists it in its own rows with the place in its own struct, so a key of a case
+ * means the same in every law that reads it. `at` is that place, `fallback` the default ("0.3"; NULL: the case must
+ * give the key). */
 #ifndef TR_MATERIAL_H
 #define TR_MATERIAL_H
 

@@ -9,10 +9,11 @@
  * pressed between two plates and its centre is the datum: d = 2 sqrt(R1 R2)/e, 2 R2/e at a wall, which then is rigid
  * (ibid. eq. 5.57).
  *
- * P(delta): with z = (a/2d)^2, so P = z pi E_star d^2/R, the second line is z (1 - ln z) = delta R/d^2, and with w = 1 -
- * ln z = 1 + 2 Lambda it is w - ln w = L = 1 - ln(delta R/d^2), increasing and convex for w > 1; P = pi E_star delta/w, k =
- * pi E_star/(w - 1). A rational function of L is within 0.001 w of w for all L that a double can have. The w0 of it is right
- * for another L, less D = L - (w0 - ln w0), and Taylor's series of w from there is, with t = D/(w0 - 1)^2,
+ * P(delta): with z = (a/2d)^2, so P = z pi E_star d^2/R, the second line is z (1 - ln z) = delta R/d^2, and with w = 1
+ * - ln z = 1 + 2 Lambda it is w - ln w = L = 1 - ln(delta R/d^2), increasing and convex for w > 1; P = pi E_star
+ * delta/w, k = pi E_star/(w - 1). A rational function of L is within 0.001 w of w for all L that a double can have. The
+ * w0 of it is right for another L, less D = L - (w0 - ln w0), and Taylor's series of w from there is, with
+ * t = D/(w0 - 1)^2,
  *
  *   w = w0 + D w0/(w0 - 1) (1 - t/2 + (2 w0 + 1) t^2/6 - (6 w0^2 + 8 w0 + 1) t^3/24 + ...)
  *

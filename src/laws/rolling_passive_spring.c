@@ -1,17 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* Rolling spring-slider with Wang's moments, by any rolling_velocity, that never returns more than it took. A control for the
- * question what of a definition's effect comes from the energy that it makes. Source [Wang2015 eq. 28], made passive here.
+/* Rolling spring-slider with Wang's moments, by any rolling_velocity, that never returns more than it took. A control
+ * for the question what of a definition's effect comes from the energy that it makes. Source [Wang2015 eq. 28], made
+ * passive here.
  *
  *   T' = T + k_r u dt,   T = clamp(T', -mu_r f_n, +mu_r f_n),   M1 = -R_eff T,   M2 = +R_eff T
  *   u: of V_r and W the one that loads less or unloads more: the smaller of V_r sgn T and W sgn T, times sgn T
  *   from T = 0: the one nearer to 0, if both have one sign; else 0
- *   V_r: the scene's rolling_velocity;   W = R_eff (w1 - w2), on which a pair of moments does work;   R_eff = R1 R2/(R1+R2)
+ *   V_r: the scene's rolling_velocity;   W = R_eff (w1 - w2), on which a pair of moments does work
+ *   R_eff = R1 R2/(R1+R2), at a wall R2
  *
- * The two bodies put T W into the contact per second, and the store T^2/(2 k_r) grows by T u per second. T u <= T W always, so no
- * path makes energy, whatever V_r is. Where V_r and W have different signs (only there s1 and s2 can oppose each other) the
- * spring unloads: as in model 2 there is no resistance to such a motion.
- * A step in which T changes its sign unloads to 0, and loads for what is left of the step. With wang u = V_r = W, so it has the
- * bits of wang-spring.
+ * The two bodies put T W into the contact per second, and the store T^2/(2 k_r) grows by T u per second. T u <= T W
+ * always, so no path makes energy, whatever V_r is. Where V_r and W have different signs (only there s1 and s2 can
+ * oppose each other) the spring unloads: as in model 2 there is no resistance to such a motion. A step in which T
+ * changes its sign unloads to 0, and loads for what is left of the step. With wang u = V_r = W, so it has the bits of
+ * wang-spring.
  *
  * History: T [N/m], a quasi-force. Wall: R_eff = R2. v -> 0: a spring. mu_r = 0: nothing.
  */

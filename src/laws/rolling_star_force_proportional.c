@@ -50,7 +50,8 @@ TR_VECTOR static void step(tr_tile *restrict tile, const tr_law_data *restrict d
     const double *restrict share1 = data->pair[2] + tile->first, *restrict share2 = data->pair[3] + tile->first;
     double *restrict M1 = data->hist[0] + tile->first, *restrict M2 = data->hist[1] + tile->first;
     for (int i = 0; i < tile->n; i++) {
-        double r1 = tile->r1[i], r2 = tile->r2[i], cap1 = mu_r * tile->f_n[i] * fabs(r1), cap2 = mu_r * tile->f_n[i] * r2;
+        double r1 = tile->r1[i], r2 = tile->r2[i], cap1 = mu_r * tile->f_n[i] * fabs(r1),
+               cap2 = mu_r * tile->f_n[i] * r2;
         double a = keep * M1[i] - per_dt * (I1[i] * tile->w1[i] - share1[i] * dt * (r1 * tile->f_t[i]));
         double b = keep * M2[i] - per_dt * (I2[i] * tile->w2[i] - share2[i] * dt * (r2 * tile->f_t[i]));
         a = a > cap1 ? cap1 : a;

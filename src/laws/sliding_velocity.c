@@ -35,9 +35,9 @@
 /* Variables for a formula, of contact i. */
 #define LANE(tile, i)                                                                                                  \
     const double s1 = (tile)->s1[i], s2 = (tile)->s2[i], g1 = (tile)->g1[i], R1 = (tile)->R1[i], R2 = (tile)->R2[i],   \
-                 w1 = (tile)->w1[i], w2 = (tile)->w2[i], L = tr_tile_length(tile, i),                            \
+                 w1 = (tile)->w1[i], w2 = (tile)->w2[i], L = tr_tile_length(tile, i),                                  \
                  Vt = (tile)->dvx[i] * (tile)->ny[i] - (tile)->dvy[i] * (tile)->nx[i],                                 \
-                 lost = g1 != 1 ? 0.5 * (tile)->delta[i] : (tile)->delta[i];                                            \
+                 lost = g1 != 1 ? 0.5 * (tile)->delta[i] : (tile)->delta[i];                                           \
     (void)s1, (void)s2, (void)g1, (void)R1, (void)R2, (void)w1, (void)w2, (void)L, (void)Vt, (void)lost
 
 RECORDED(PASSES)

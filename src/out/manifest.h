@@ -3,8 +3,8 @@
  * a name off. The list is only appended to, and known by its first line. A name is on the list, and the list is on the
  * disk, before the file exists. So a file that is not listed is the user's: it is never removed or written over.
  *
- * Results have fixed names (history.csv, frames/00012.png, paths/17-42.csv, ...), see manifest.c. A listed name includes
- * NAME.part and NAME.old. Only names of results are ever removed, whatever the list says. */
+ * Results have fixed names (history.csv, frames/00012.png, paths/17-42.csv, ...), see manifest.c. A listed name
+ * includes NAME.part and NAME.old. Only names of results are ever removed, whatever the list says. */
 #ifndef TR_MANIFEST_H
 #define TR_MANIFEST_H
 

@@ -95,7 +95,12 @@ static void add_pipeline(json_t *o, const tr_world *world) {
     json_t *passes = json_object(), *out = json_array();
     for (int k = 0; k < world->n_groups; k++) {
         char group[32];
-        snprintf(group, sizeof group, k == 0 ? "disk_disk" : k == 1 ? "wall_disk" : world->group[k].rings ? "ring_disk" : "wall_disk_%d", k);
+        snprintf(group, sizeof group,
+                 k == 0                  ? "disk_disk"
+                 : k == 1                ? "wall_disk"
+                 : world->group[k].rings ? "ring_disk"
+                                         : "wall_disk_%d",
+                 k);
         json_t *names = json_array();
         for (int p = 0; p < world->group[k].n_pass; p++)
             json_array_append_new(names, json_string(world->group[k].pass[p].name));

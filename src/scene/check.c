@@ -146,8 +146,8 @@ static bool check_patch(const checker *c) {
     if (P == 0)
         return tr_text_fail(c->r->st, mark_of(c, 0, "force"),
                             "there is no contact to begin with: give a force above 0");
-    pair->d =
-        isnan(pair->depth) ? sqrt(4 * P * pair->R_star / (M_PI * pair->E_star)) * tr_exp(pair->Lambda) / 2 : pair->depth;
+    pair->d = isnan(pair->depth) ? sqrt(4 * P * pair->R_star / (M_PI * pair->E_star)) * tr_exp(pair->Lambda) / 2
+                                 : pair->depth;
     if (!check_depth(c, pair->d, pair->E_star, "")) return false;
     for (int i = 0; i < scene->n_segments; i++) {
         const tr_scene_segment *g = &scene->path[i];
@@ -201,17 +201,18 @@ static bool check_output(const checker *c, const tr_scope *s) {
     return check_contact_ids(c, s, "contact", shown) && check_contact_ids(c, s, "paths", &scene->output.paths);
 }
 
-/* A ring holds what is inside of it: smaller, and no deeper in the ring than a contact may be (0.3 of its radius). What is
- * outside is clear of it. */
+/* A ring holds what is inside of it: smaller, and no deeper in the ring than a contact may be (0.3 of its radius). What
+ * is outside is clear of it. */
 static bool check_ring(const checker *c, const tr_scope *ring, int i) {
     const tr_scene_disk *r = &c->scene->disks[ring->item], *d = &c->scene->disks[i];
     const tr_scope *s = tr_check_scope(c->r, "disks", i);
     double apart = tr_hypot(d->x - r->x, d->y - r->y), out = apart + d->radius - r->radius;
     if (apart >= r->radius && apart - d->radius < r->radius + r->ring)
-        return tr_text_fail(c->r->st, mark_in(s, "x"),
-                            "`disks.%d` lies across the ring `disks.%d`: its centre is %.6g m from that of the ring, whose "
-                            "inside ends at %.6g m; put it inside, or clear of the ring",
-                            i, ring->item, apart, r->radius);
+        return tr_text_fail(
+            c->r->st, mark_in(s, "x"),
+            "`disks.%d` lies across the ring `disks.%d`: its centre is %.6g m from that of the ring, whose "
+            "inside ends at %.6g m; put it inside, or clear of the ring",
+            i, ring->item, apart, r->radius);
     if (apart >= r->radius) return true;
     if (d->radius >= r->radius)
         return tr_text_fail(c->r->st, mark_in(s, "radius"),
@@ -219,10 +220,11 @@ static bool check_ring(const checker *c, const tr_scope *ring, int i) {
                             "disk in a ring is smaller",
                             i, ring->item, d->radius, r->radius);
     return out <= 0.3 * d->radius ||
-           tr_text_fail(c->r->st, mark_in(s, "x"),
-                        "`disks.%d` overlaps the ring `disks.%d` by %.6g m, more than 0.3 of its radius, %.6g m; move it "
-                        "towards (%.6g, %.6g)",
-                        i, ring->item, out, d->radius, r->x, r->y);
+           tr_text_fail(
+               c->r->st, mark_in(s, "x"),
+               "`disks.%d` overlaps the ring `disks.%d` by %.6g m, more than 0.3 of its radius, %.6g m; move it "
+               "towards (%.6g, %.6g)",
+               i, ring->item, out, d->radius, r->x, r->y);
 }
 
 static bool check_rings(const checker *c, const tr_scope *s) {

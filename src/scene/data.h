@@ -141,7 +141,8 @@ typedef struct tr_scene_disk {
     tr_scene_pull pull;
 } tr_scene_disk;
 
-/* A rigid plane through (x, y), or a part of one; (nx, ny) points to the side where the disks are (normalised on reading). */
+/* A rigid plane through (x, y), or a part of one; (nx, ny) points to the side where the disks are (normalised on
+ * reading). */
 typedef struct tr_scene_wall {
     double x, y, nx, ny;
     double vx, vy;

@@ -93,7 +93,8 @@ static const tr_param lesson[] = {
 
 #define STRUCT tr_scene_sample
 static const tr_param sample[] = {
-    {"disks", TR_COUNT, TR_DIM_NUMBER, "", "400", 2, 1e7, NULL, AT(disks), "number of disks; with file: the number of its rows"},
+    {"disks", TR_COUNT, TR_DIM_NUMBER, "", "400", 2, 1e7, NULL, AT(disks),
+     "number of disks; with file: the number of its rows"},
     {"r_min", TR_REAL, TR_DIM_LENGTH, "m", NULL, 1e-9, 1e3, "file", AT(r_min),
      "smallest radius; radii are uniform from r_min to r_max"},
     {"r_max", TR_REAL, TR_DIM_LENGTH, "m", NULL, 1e-9, 1e3, "file", AT(r_max), "largest radius"},
@@ -223,7 +224,8 @@ static const tr_param disk[] = {
     {"density", TR_REAL, TR_DIM_DENSITY, "kg/m^3", "2700", 1e-3, 1e6, NULL, AT(density),
      "density; no effect with motion: prescribed or orbit"},
     {"inertia", TR_REAL, TR_DIM_NUMBER, "1", "0", 0, 1e6, NULL, AT(inertia),
-     "moment of inertia over m radius^2: 1/2 of a disk, 2/5 of a sphere, 1 of a hoop; 0: of its shape, whole or a ring"},
+     "moment of inertia over m radius^2: 1/2 of a disk, 2/5 of a sphere, 1 of a hoop; 0: of its shape, whole or a "
+     "ring"},
     {"ring", TR_REAL, TR_DIM_LENGTH, "m", "0", 0, 1e3, NULL, AT(ring),
      "thickness of a ring (spheres: a shell), of which radius is the inside and touches what is inside; 0: no ring"},
     {"x", TR_REAL, TR_DIM_LENGTH, "m", NULL, -1e6, 1e6, NULL, AT(x), "centre at the start"},
@@ -377,7 +379,8 @@ static const tr_param path_start[] = {
     .offset = AT(array), .item = sizeof *((tr_scene *)0)->array, .count = AT(count_), .min_items = least,              \
     .max_items = most
 #define CHECKS(kinds, rows, chosen_)                                                                                   \
-    SECTION("checks", "numbers compared with closed forms", kinds, rows, LIST(checks, n_checks, 0, TR_MAX_CHECKS), .chosen = chosen_)
+    SECTION("checks", "numbers compared with closed forms", kinds, rows, LIST(checks, n_checks, 0, TR_MAX_CHECKS),     \
+            .chosen = chosen_)
 #define AND_EXACT(choice, ...) , CHECKS(TR_FOR_BODIES, exact_##choice, 1u << choice)
 #define AND_COLUMN(name, ...) , CHECKS(TR_FOR_PAIR, exact_##name, 1u << TR_COLUMN_##name)
 #define AND_PATCH_COLUMN(name, ...) , CHECKS(TR_FOR_PATCH, exact_##name, 1u << TR_COLUMN_##name)
@@ -393,7 +396,8 @@ const tr_section tr_sections[] = {
     SECTION("lesson", "texts for the class", TR_FOR_ALL, lesson, .offset = AT(lesson),
             .example = "lesson: {title: what there is to see}"),
     SECTION("sample", "disks before compaction", TR_FOR_BIAXIAL, sample, .offset = AT(sample)),
-    SECTION("contact", "the laws between two disks", TR_FOR_WORLDS, contact, .offset = AT(contact), .first_law_kind = 1),
+    SECTION("contact", "the laws between two disks", TR_FOR_WORLDS, contact, .offset = AT(contact),
+            .first_law_kind = 1),
     SECTION("compaction", "isotropic, between four smooth walls or in a periodic cell", TR_FOR_BIAXIAL, compaction,
             .offset = AT(compaction)),
     SECTION("shear", "top and bottom approach, the lateral sides hold the pressure", TR_FOR_BIAXIAL, shear,
@@ -411,9 +415,9 @@ const tr_section tr_sections[] = {
     SECTION("pull", "a thread that is wound on a hub", TR_FOR_BODIES, pull, .inside = "disks",
             .offset = offsetof(tr_scene_disk, pull), .given = offsetof(tr_scene_disk, pull.given)),
     SECTION("walls", "rigid planes", TR_FOR_BODIES, wall, LIST(walls, n_walls, 0, 100)),
-    SECTION("contact", "laws of this wall; without a key, that of the contact of the scene holds", TR_FOR_BODIES, contact,
-            .inside = "walls", .offset = offsetof(tr_scene_wall, contact), .given = offsetof(tr_scene_wall, own),
-            .like = "contact", .first_law_kind = 1),
+    SECTION("contact", "laws of this wall; without a key, that of the contact of the scene holds", TR_FOR_BODIES,
+            contact, .inside = "walls", .offset = offsetof(tr_scene_wall, contact),
+            .given = offsetof(tr_scene_wall, own), .like = "contact", .first_law_kind = 1),
     CHECKS(TR_FOR_BODIES, check, 0),
     CHECKS(TR_FOR_BODIES, check_contact, 0 TR_WHATS(BIT_OF_CONTACT)),
     CHECKS(TR_FOR_BODIES, check_disk, 0 TR_WHATS(BIT_OF_DISK)),

@@ -40,8 +40,8 @@ typedef struct tr_section {
                            not so */
     size_t given;       /* of such a mapping: offset of a bool that says whether the item has it */
     const char *like;   /* of such a mapping: what it does not say is as in this mapping of the root; NULL: not so */
-    int first_law_kind;  /* of sections whose struct is a tr_scene_contact: the keys of the laws of this and later slots are
-                       in it too; 0: none, so it counts from 1 */
+    int first_law_kind; /* of sections whose struct is a tr_scene_contact: the keys of the laws of this and later slots
+                      are in it too; 0: none, so it counts from 1 */
 } tr_section;
 
 extern const tr_section tr_sections[];

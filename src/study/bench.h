@@ -40,8 +40,8 @@ typedef struct tr_bench_report {
  * Scenes take turns, a block each, so that changes of the machine affect all alike. The first step of a block makes the
  * list again and does not count.
  *
- * passes: time each pass too; every scene has its own sample, as in a run. A scene in the packing of another scene is not
- * at rest: it moves more than in a run, and lists are made more often. */
+ * passes: time each pass too; every scene has its own sample, as in a run. A scene in the packing of another scene is
+ * not at rest: it moves more than in a run, and lists are made more often. */
 bool tr_bench(const tr_scene *const *scenes, int n, int threads, bool passes, tr_bench_report *reports, tr_status *st);
 
 #endif

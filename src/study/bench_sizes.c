@@ -152,6 +152,7 @@ bool tr_bench_sizes(const tr_scene *scene, int threads, tr_bench_size *sizes, in
 double tr_bench_slope(const double *x, const double *y, int n) {
     double mx = 0, my = 0, xx = 0, xy = 0;
     for (int i = 0; i < n; i++) mx += tr_log(x[i]) / n, my += tr_log(y[i]) / n;
-    for (int i = 0; i < n; i++) xx += (tr_log(x[i]) - mx) * (tr_log(x[i]) - mx), xy += (tr_log(x[i]) - mx) * (tr_log(y[i]) - my);
+    for (int i = 0; i < n; i++)
+        xx += (tr_log(x[i]) - mx) * (tr_log(x[i]) - mx), xy += (tr_log(x[i]) - mx) * (tr_log(y[i]) - my);
     return xy / xx;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Where the contact point is on a rim: seen from the centre of a it is in the direction of n, from that of b of -n, and
- * a disk has turned by its angle. Along rim a it moves by -da/R1, along b by -db/R2: see draw/arc.h. On a wall it is the
- * place along (n_y, -n_x). */
+ * a disk has turned by its angle. Along rim a it moves by -da/R1, along b by -db/R2: see draw/arc.h. On a wall it is
+ * the place along (n_y, -n_x). */
 #include "study/marks.h"
 
 #include "draw/show_lamp.h"

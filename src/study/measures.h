@@ -22,8 +22,8 @@ typedef struct tr_motion {
     double R1, R2, x1x, x1y, x2x, x2y, v1x, v1y, v2x, v2y, w1, w2;
 } tr_motion;
 
-/* Its measures, per unit time. n = X21/|X21|, in a ring -X21/|X21|, t = n x k. Velocities [m/s]; beta_dot, lambda_dot, alpha1_dot,
- * alpha2_dot and angles [rad/s]. */
+/* Its measures, per unit time. n = X21/|X21|, in a ring -X21/|X21|, t = n x k. Velocities [m/s]; beta_dot, lambda_dot,
+ * alpha1_dot, alpha2_dot and angles [rad/s]. */
 enum { TR_MOST_DEFINITIONS = 24, TR_MOST_ARMS = 8 };
 typedef struct tr_motion_measures {
     double beta_dot; /* spin of the line of centres */

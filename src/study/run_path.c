@@ -60,9 +60,10 @@ static void keep_result(tr_path_result *r, const tr_contact_state *s) {
     r->moment_max = fmax(r->moment_max, fmax(fabs(s->moment_1), fabs(s->moment_2)));
 }
 
-/* State and motion of the two bodies as `trundle measures` takes them, so that another code can be driven along the same
- * path: body 1 rests at the origin, the line of centres is along x. Places are those at the end of the step, velocities
- * those of the step. Vt = 0: w1, w2 follow from Vs = R1 w1 + R2 w2 and V_r = (R1 w1 - R2 w2)/2 (contact.h). */
+/* State and motion of the two bodies as `trundle measures` takes them, so that another code can be driven along the
+ * same path: body 1 rests at the origin, the line of centres is along x. Places are those at the end of the step,
+ * velocities those of the step. Vt = 0: w1, w2 follow from Vs = R1 w1 + R2 w2 and V_r = (R1 w1 - R2 w2)/2 (contact.h).
+ */
 static void add_motion(tr_row *row, const tr_scene *scene, const tr_contact_state *before, const tr_contact_state *s) {
     const tr_scene_segment *g = &scene->path[s->segment];
     const double dt = (g->time > 0 ? g->time : 1) / g->steps, R1 = scene->pair.R1, R2 = scene->pair.R2;

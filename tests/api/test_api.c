@@ -403,8 +403,8 @@ static void comma_locale(void **state) {
     setlocale(LC_ALL, "C");
 }
 
-/* A disk pressed into a ring: pushed to its middle by k_n delta; friction and rolling turn both, and no angular momentum is
- * made: torque1 + torque2 + X21 x F = 0. Back in the middle the contact has forgotten. */
+/* A disk pressed into a ring: pushed to its middle by k_n delta; friction and rolling turn both, and no angular
+ * momentum is made: torque1 + torque2 + X21 x F = 0. Back in the middle the contact has forgotten. */
 static void test_contact_in_a_ring(void **state) {
     (void)state;
     trundle_error error;

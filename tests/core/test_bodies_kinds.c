@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What a body is, against closed forms: a hoop, a disk and a ball roll down a slope; a spool is pulled by its thread. */
+/* What a body is, against closed forms: a hoop, a disk and a ball roll down a slope; a spool is pulled by its thread.
+ */
 #include "core/bodies.h"
 #include "core/worlds.h"
 #include "laws/law.h"
@@ -54,7 +55,8 @@ static void a_body_rolls_down_by_its_inertia(void **state) {
 }
 
 /* A spool on the floor, thread at the angle p on a hub of radius r: about the contact point the moment of the force is
- * F (r - R cos(p)), counter-clockwise, and I about it is 1.5 m R^2. Where cos(p) > r/R it rolls towards the pull. The floor carries m g - F sin(p). */
+ * F (r - R cos(p)), counter-clockwise, and I about it is 1.5 m R^2. Where cos(p) > r/R it rolls towards the pull. The
+ * floor carries m g - F sin(p). */
 static void a_spool_rolls_towards_or_away(void **state) {
     (void)state;
     const double F = 5, r = 0.01, m = DENSITY * M_PI * R * R, angle[] = {0, M_PI / 3 - 0.2, M_PI / 3 + 0.2, M_PI / 2};

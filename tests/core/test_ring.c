@@ -83,9 +83,9 @@ static double by_name(const tr_record *r, const char *name, bool rolling) {
     return 0;
 }
 
-/* Sliding: velocity of disk less ring in their common material point, along t. s1, s2: how fast the point goes around each
- * rim: from the rates of the angles, by which the line of centres turns (of the ring it runs with the disk's place, of the
- * disk on the side away from the ring's centre). Both rims run forward where the disk rolls around. */
+/* Sliding: velocity of disk less ring in their common material point, along t. s1, s2: how fast the point goes around
+ * each rim: from the rates of the angles, by which the line of centres turns (of the ring it runs with the disk's
+ * place, of the disk on the side away from the ring's centre). Both rims run forward where the disk rolls around. */
 static void measures_are_those_of_the_rims(void **state) {
     (void)state;
     tr_random random = tr_random_seed(5, 1);
@@ -107,8 +107,8 @@ static void measures_are_those_of_the_rims(void **state) {
         double of_disk[] = {u[0] - u[2] * (r.y - q[1]), u[1] + u[2] * (r.x - q[0])};
         double of_ring[] = {v[0] - v[2] * (r.y - p[1]), v[1] + v[2] * (r.x - p[0])};
         assert_close(r.v_s, (of_disk[0] - of_ring[0]) * tx + (of_disk[1] - of_ring[1]) * ty, 1e-9, 1e-12);
-        /* t is counter-clockwise in the ring where n points inward: the point runs over the ring at Rr (turn - w1), over the
-         * disk at R (turn - w2) */
+        /* t is counter-clockwise in the ring where n points inward: the point runs over the ring at Rr (turn - w1),
+         * over the disk at R (turn - w2) */
         assert_close(r.s1, Rr * (turn - v[2]), 1e-9, 1e-12);
         assert_close(r.s2, R * (turn - u[2]), 1e-9, 1e-12);
         double between = (Rr + R) / (2 * (Rr - R)) * (r.s1 - r.s2);
@@ -118,8 +118,8 @@ static void measures_are_those_of_the_rims(void **state) {
     }
 }
 
-/* A motion as of one rigid body slides and rolls by no objective measure; a disk that rolls rolls alike by all, and does not
- * slide; one that slides around without turning against the line of centres does not roll by bagi-kuhn's. */
+/* A motion as of one rigid body slides and rolls by no objective measure; a disk that rolls rolls alike by all, and
+ * does not slide; one that slides around without turning against the line of centres does not roll by bagi-kuhn's. */
 static void pure_motions(void **state) {
     (void)state;
     tr_random random = tr_random_seed(5, 2);
@@ -143,8 +143,8 @@ static void pure_motions(void **state) {
 
 /* ---- motion */
 
-/* Swings of 0.02 rad: sqrt(1 + I/(m R^2)) times the pendulum of length R_r - R, whose period is 1 + p^2/16 = 1.000025 times
- * that of small ones. The springs, without damping, swing too: 2e-3 is asked for. */
+/* Swings of 0.02 rad: sqrt(1 + I/(m R^2)) times the pendulum of length R_r - R, whose period is 1 + p^2/16 = 1.000025
+ * times that of small ones. The springs, without damping, swing too: 2e-3 is asked for. */
 static void a_disk_swings_in_a_ring(void **state) {
     (void)state;
     static const struct {
@@ -174,9 +174,9 @@ static void a_disk_swings_in_a_ring(void **state) {
     }
 }
 
-/* In a drum that turns, a disk with rolling resistance stays where its weight balances the moment: R Q = R_eff mu_r N with
- * R_eff = R_r R/(R_r - R), so tan(p) = mu_r R_r/(R_r - R); it spins at w R_r/R. It comes to rest there by damping of the
- * swing: none but in the rolling spring, which is at its cap; so it starts there. */
+/* In a drum that turns, a disk with rolling resistance stays where its weight balances the moment: R Q = R_eff mu_r N
+ * with R_eff = R_r R/(R_r - R), so tan(p) = mu_r R_r/(R_r - R); it spins at w R_r/R. It comes to rest there by damping
+ * of the swing: none but in the rolling spring, which is at its cap; so it starts there. */
 static void a_disk_leans_in_a_drum(void **state) {
     (void)state;
     char text[900];
@@ -229,8 +229,8 @@ static void planets_go_around(void **state) {
     end(&s);
 }
 
-/* A free ring and the disk that knocks about in it: momentum and angular momentum stay, to a rounding a step; so does the
- * energy that the ledger sums, to the second order of the step. */
+/* A free ring and the disk that knocks about in it: momentum and angular momentum stay, to a rounding a step; so does
+ * the energy that the ledger sums, to the second order of the step. */
 static void momenta_and_energy_of_a_free_ring(void **state) {
     (void)state;
     double residual[2];
@@ -275,7 +275,8 @@ static void a_force_of_rolling_in_a_ring_is_balanced(void **state) {
         tr_random random = tr_random_seed(5, 4);
         tr_status st = {0};
         two_bodies(&w, &random, 0.1, 0.03, -0.01);
-        tr_scene_contact laws = contact_of((test_laws){1e6, 0.1, 0.5, 5e5, 0.2, 5e5, k % 2 ? "bagi-kuhn" : "alonso-min", NULL});
+        tr_scene_contact laws =
+            contact_of((test_laws){1e6, 0.1, 0.5, 5e5, 0.2, 5e5, k % 2 ? "bagi-kuhn" : "alonso-min", NULL});
         const tr_param_catalog *catalog = tr_laws_catalog();
         laws.rolling = law_named(tr_laws_rolling, catalog->n_rolling, "conjugate-spring");
         set_parameter(&laws.rolling, catalog->rolling[laws.rolling.law], "mu_r", 0.2);
@@ -307,7 +308,8 @@ static void a_force_of_rolling_in_a_ring_is_balanced(void **state) {
 
 /* ---- traps */
 
-/* Hertz in a ring knows 1/R = 1/R2 - 1/Rr: the disk of radius R_r R/(R_r - R) on a wall. The default depth is that at a wall. */
+/* Hertz in a ring knows 1/R = 1/R2 - 1/Rr: the disk of radius R_r R/(R_r - R) on a wall. The default depth is that at a
+ * wall. */
 static void normal_laws_know_the_ring(void **state) {
     (void)state;
     const tr_param_catalog *catalog = tr_laws_catalog();
@@ -341,8 +343,9 @@ static void a_disk_in_the_middle_has_no_normal(void **state) {
     end(&s);
 }
 
-/* Every rolling law in a drum, with every definition: its moments oppose the drum, and nothing is lost to NaN. The moments
- * of a balanced law are opposite. A law of STAR's by each spin brakes the disk, whatever the sign of the arm. */
+/* Every rolling law in a drum, with every definition: its moments oppose the drum, and nothing is lost to NaN. The
+ * moments of a balanced law are opposite. A law of STAR's by each spin brakes the disk, whatever the sign of the arm.
+ */
 static void every_rolling_law_in_a_drum(void **state) {
     (void)state;
     const tr_param_catalog *c = tr_laws_catalog();

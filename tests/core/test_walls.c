@@ -70,7 +70,8 @@ static int contacts(show *s, tr_record *first) {
 }
 
 /* Where walls in line meet a disk touches one of them, and as deep as everywhere: without friction it goes on as on an
- * endless floor. Bound: a rounding of the height in each step turns into a velocity, 1e4 steps of 1e-18 m at 1e4 1/s. */
+ * endless floor. Bound: a rounding of the height in each step turns into a velocity, 1e4 steps of 1e-18 m at 1e4 1/s.
+ */
 static void joints_in_line_are_passed_without_a_bump(void **state) {
     (void)state;
     show s;
@@ -96,7 +97,8 @@ static void joints_in_line_are_passed_without_a_bump(void **state) {
 }
 
 /* Ice, then carpet: sliding decelerates by mu g of the wall below, and spins up by 2 mu g/R. From 1 m/s, 0.3 m of ice
- * take sqrt(1 - 2 mu g 0.3 m); then slip ends after (v + R w)/(3 mu' g), where v + R w is what is left of the sliding. */
+ * take sqrt(1 - 2 mu g 0.3 m); then slip ends after (v + R w)/(3 mu' g), where v + R w is what is left of the sliding.
+ */
 static void walls_have_laws_of_their_own(void **state) {
     (void)state;
     show s;
@@ -118,9 +120,9 @@ static void walls_have_laws_of_their_own(void **state) {
     end(&s);
 }
 
-/* A disk that rolls off an edge without slipping turns about it, and leaves where N = m g cos(p) - m R p'^2 = 0: from rest
- * at p0, p'^2 = (4g/3R)(cos(p0) - cos(p)), so cos(p) = 4/7 cos(p0) and v^2 = (4/7) g R cos(p0). Rolling resistance does
- * nothing at a corner, where R_eff = 0. The springs store 1e-3 of the fall, and swing. */
+/* A disk that rolls off an edge without slipping turns about it, and leaves where N = m g cos(p) - m R p'^2 = 0: from
+ * rest at p0, p'^2 = (4g/3R)(cos(p0) - cos(p)), so cos(p) = 4/7 cos(p0) and v^2 = (4/7) g R cos(p0). Rolling resistance
+ * does nothing at a corner, where R_eff = 0. The springs store 1e-3 of the fall, and swing. */
 static void a_disk_leaves_a_corner_at_four_sevenths(void **state) {
     (void)state;
     static const char *const laws[] = {"mu: 100, mu_r: 0", "mu: 100, mu_r: 0.5",
@@ -236,8 +238,8 @@ static void a_world_of_such_walls_goes_on_from_a_checkpoint(void **state) {
     end(&s), end(&t);
 }
 
-/* What a wall does not say is as in the root's contact, with its own numbers: k_t = 0.5 k_n of its own k_n. The resolved
- * case reads back to itself. */
+/* What a wall does not say is as in the root's contact, with its own numbers: k_t = 0.5 k_n of its own k_n. The
+ * resolved case reads back to itself. */
 static void a_wall_fills_in_what_it_does_not_say(void **state) {
     (void)state;
     show s;

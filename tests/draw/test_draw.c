@@ -469,8 +469,8 @@ static void test_range(void **state) {
     assert_close(tr_frame_range(r, 100, TR_COLOR_SLIDING), 5e-7, 1e-12, 0);
 }
 
-/* Follows the material points that touched first by turning vectors, and asks where they are. Of a ring (R1 < 0) n points from
- * the contact to its centre. */
+/* Follows the material points that touched first by turning vectors, and asks where they are. Of a ring (R1 < 0) n
+ * points from the contact to its centre. */
 static void test_arcs_end_at_the_material_points(void **state) {
     (void)state;
     const double R[][2] = {{1, 1}, {2, 0.75}, {1, 10}, {-3, 1}}, motion[][3] = {/* th1, th2, beta */
@@ -478,7 +478,8 @@ static void test_arcs_end_at_the_material_points(void **state) {
                                                                        {0.6, 0.6, 0},   {0, 0, 0.9},    {-2, 9, 0.3}};
     for (int i = 0; i < 4; i++)
         for (int k = 0; k < 6; k++) {
-            double side = R[i][0] < 0 ? -1 : 1, start = 0.35, th1 = motion[k][0], th2 = motion[k][1], beta = motion[k][2], n = start + beta;
+            double side = R[i][0] < 0 ? -1 : 1, start = 0.35, th1 = motion[k][0], th2 = motion[k][1],
+                   beta = motion[k][2], n = start + beta;
             tr_record r = {.nx = cos(n), .ny = sin(n), .R1 = R[i][0], .R2 = R[i][1]};
             r.da = r.R1 * (th1 - beta), r.db = r.R2 * (th2 - beta); /* int s1 dt, -int s2 dt */
             tr_arc a, b;

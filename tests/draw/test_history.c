@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The curves of a biaxial test grow with the film, collapses are marked, and contacts have the colour of what they do. */
+/* The curves of a biaxial test grow with the film, collapses are marked, and contacts have the colour of what they do.
+ */
 #include "assert_close.h"
 #include "draw/canvas.h"
 #include "draw/field.h"
@@ -28,7 +29,8 @@ static unsigned pixel(int x, int y) {
     return (unsigned)p[2] << 16 | (unsigned)p[1] << 8 | p[0];
 }
 
-/* The last column of the panel's curves that has this colour; 0: none. The chart is below the lines, above the force. */
+/* The last column of the panel's curves that has this colour; 0: none. The chart is below the lines, above the force.
+ */
 static int last_column(unsigned hue) {
     for (int x = TR_FRAME_WIDTH - 1; x > TR_PANEL_X; x--)
         for (int y = 390; y < 490; y++)

@@ -461,7 +461,8 @@ static void test_the_panel_shows_the_contact_that_is_chosen(void **state) {
     free(want), free(h);
 }
 
-/* Range of the plot from its horizontal grid is not known here; equal steps of value, and of time, are equal on paper. */
+/* Range of the plot from its horizontal grid is not known here; equal steps of value, and of time, are equal on paper.
+ */
 static void test_chart_is_linear_in_value_and_time(void **state) {
     (void)state;
     enum { LANE = 1 }; /* its curve alone has the colour, its mark alone is faint */

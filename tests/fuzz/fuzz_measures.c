@@ -7,7 +7,8 @@
 /* The numbers of the last row. What is before them may be any text. */
 static const char *last_numbers(const char *text) {
     const char *p = text + strlen(text);
-    for (int commas = 0; p > text && commas < TR_MOTION_COLUMNS + tr_measures_columns() + 3 * tr_n_arms_measured; p--) commas += p[-1] == ',';
+    for (int commas = 0; p > text && commas < TR_MOTION_COLUMNS + tr_measures_columns() + 3 * tr_n_arms_measured; p--)
+        commas += p[-1] == ',';
     return p;
 }
 

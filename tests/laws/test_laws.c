@@ -56,7 +56,8 @@ static tr_pair_bodies bodies_of(int i) {
     return (tr_pair_bodies){.R1 = R1, .R2 = R2, .m1 = m1, .m2 = m2, .I1 = I1, .I2 = m2 * R2 * R2 / 2};
 }
 
-/* Any parameter: a stiffness 2e6, a number 0.3; what is off by default stays off. Lane 0 is a wall, the others pairs of ratio up to 10. */
+/* Any parameter: a stiffness 2e6, a number 0.3; what is off by default stays off. Lane 0 is a wall, the others pairs of
+ * ratio up to 10. */
 static void set_up(const tr_law *normal, const tr_law *friction, const tr_law *rolling) {
     memset(&B, 0, sizeof B);
     R = tr_random_seed(11, 1);
@@ -458,7 +459,8 @@ static void a_key_means_the_same_in_every_law(void **state) {
                     shared++;
                     if (p->type != q->type || memcmp(&p->dim, &q->dim, sizeof p->dim) || strcmp(p->unit, q->unit) ||
                         strcmp(p->doc, q->doc) || p->max != q->max)
-                        fail_msg("%s of %s and of %s: take the row of laws/material.h", p->key, tables[b]->name, tables[a]->name);
+                        fail_msg("%s of %s and of %s: take the row of laws/material.h", p->key, tables[b]->name,
+                                 tables[a]->name);
                 }
     assert_true(shared > 20); /* mu, nu, E_star, mu_r, k_t, k_r, damping_ratio and more, each in two laws at least */
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* passive-spring: with wang the bits of wang-spring; with any definition no step and no path gives energy; each case of its
- * rule by hand; the closed cycle in which wang-spring with bagi-kuhn makes energy. */
+/* passive-spring: with wang the bits of wang-spring; with any definition no step and no path gives energy; each case of
+ * its rule by hand; the closed cycle in which wang-spring with bagi-kuhn makes energy. */
 #include "assert_close.h"
 #include "base/random.h"
 #include "laws/kinematics.h"
@@ -86,8 +86,8 @@ static void each_case_of_the_rule_by_hand(void **state) {
     assert_true(run(&tr_rolling_passive_spring, bagi, 0, 7, 7, 1) == 0); /* apart: nothing */
 }
 
-/* Work of the two bodies on the contact, T W dt, is at least the growth of the store, in every step. wang-spring with the
- * same definition breaks this. */
+/* Work of the two bodies on the contact, T W dt, is at least the growth of the store, in every step. wang-spring with
+ * the same definition breaks this. */
 static double least_take(const tr_law *law, int definition) {
     tr_random r = tr_random_seed(5, 1);
     double least = 0;
@@ -111,8 +111,8 @@ static void no_step_gives_energy_whatever_the_definition(void **state) {
     assert_true(makes >= 3); /* all but wang: the test can fail */
 }
 
-/* The cycle +du, +dth1, -du, -dth1 of [Wang2015]: s1 and s2 by turns. wang-spring with bagi-kuhn makes k_r times an area in
- * one sense of turning, again and again. */
+/* The cycle +du, +dth1, -du, -dth1 of [Wang2015]: s1 and s2 by turns. wang-spring with bagi-kuhn makes k_r times an
+ * area in one sense of turning, again and again. */
 static void a_closed_cycle_gives_nothing_back(void **state) {
     (void)state;
     const int bagi = definition_named("bagi-kuhn");

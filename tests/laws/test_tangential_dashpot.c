@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The dashpot beside the spring of coulomb-spring: one step by hand, a damped oscillator in closed form, the bound, and that
- * it never gives energy. */
+/* The dashpot beside the spring of coulomb-spring: one step by hand, a damped oscillator in closed form, the bound, and
+ * that it never gives energy. */
 #include "assert_close.h"
 #include "base/random.h"
 #include "laws/law.h"
@@ -68,7 +68,8 @@ static void one_step_is_the_formula(void **state) {
 }
 
 /* V_s' = -f_t/m, 1/m = 1/m1 + 1/m2 + R1^2/I1 + R2^2/I2: from V at rest of the spring
- * V exp(-g t) (cos(d t) - g/d sin(d t)), g = c/(2m), d^2 = k_t/m - g^2. The step is explicit, its error of first order. */
+ * V exp(-g t) (cos(d t) - g/d sin(d t)), g = c/(2m), d^2 = k_t/m - g^2. The step is explicit, its error of first order.
+ */
 static void two_free_disks_swing_as_a_damped_oscillator(void **state) {
     (void)state;
     const double m = 1 / (3 / M1 + 3 / M2), w = sqrt(K_T / m), t_end = 3 / w, V = 1e-3;
@@ -83,9 +84,9 @@ static void two_free_disks_swing_as_a_damped_oscillator(void **state) {
     assert_close(error[0] / error[1], 2, 0.02, 0); /* first order */
 }
 
-/* The spring takes what it stores, friction and dashpot only take: f_t V_s dt is at least the growth of the store in every
- * step, at any speed and any normal force, growing or falling. For a spring alone
- * Q' V dt - (Q'^2 - Q^2)/(2k) = k V^2 dt^2/2 >= 0, so the explicit step does not hide a gain. */
+/* The spring takes what it stores, friction and dashpot only take: f_t V_s dt is at least the growth of the store in
+ * every step, at any speed and any normal force, growing or falling. For a spring alone Q' V dt - (Q'^2 - Q^2)/(2k) = k
+ * V^2 dt^2/2 >= 0, so the explicit step does not hide a gain. */
 static void no_step_gives_energy(void **state) {
     (void)state;
     tr_random r = tr_random_seed(9, 1);

@@ -69,18 +69,21 @@ static const bad_case rows[] = {
      "contact, "
      "compaction, shear, step, output\nsmaple: {disks: 4}\n^"},
     {GOOD "frobnicate: 3\n", 0, NULL,
-     "a.yaml:5:1: error: unknown key `frobnicate`; allowed here: kind, shape, seed, boundary, language, lesson, sample, contact, "
+     "a.yaml:5:1: error: unknown key `frobnicate`; allowed here: kind, shape, seed, boundary, language, lesson, "
+     "sample, contact, "
      "compaction, "
      "shear, step, "
      "output\nfrobnicate: 3\n^"},
     {GOOD "gravity: {y: -9.81}\n", 0, NULL,
-     "a.yaml:5:1: error: `gravity` is not for `kind: biaxial`; allowed here: kind, shape, seed, boundary, language, lesson, "
+     "a.yaml:5:1: error: `gravity` is not for `kind: biaxial`; allowed here: kind, shape, seed, boundary, language, "
+     "lesson, "
      "sample, "
      "contact, "
      "compaction, "
      "shear, step, output\ngravity: {y: -9.81}\n^"},
     {GOOD_BODIES "seed: 3\n", 0, NULL, /* nothing is random there */
-     "a.yaml:5:1: error: `seed` is not for `kind: bodies`; allowed here: kind, shape, time_end, label, language, lesson, "
+     "a.yaml:5:1: error: `seed` is not for `kind: bodies`; allowed here: kind, shape, time_end, label, language, "
+     "lesson, "
      "contact, gravity, "
      "step, "
      "output, disks, walls, checks\nseed: 3\n^"},
@@ -97,10 +100,12 @@ static const bad_case rows[] = {
      "a.yaml:7:13: error: `question` holds a character that is not allowed; it is a line of text\n  question: "
      "\"a\\x1b[31mb\"\n            ^"},
     {GOOD "lesson: {answer: [1, 2]}\n", 0, NULL,
-     "a.yaml:5:18: error: `lesson.answer` must be a single value: answer to the question\nlesson: {answer: [1, 2]}\n      "
+     "a.yaml:5:18: error: `lesson.answer` must be a single value: answer to the question\nlesson: {answer: [1, 2]}\n   "
+     "   "
      "           ^"},
     {GOOD "label: a\n", 0, NULL,
-     "a.yaml:5:1: error: `label` is not for `kind: biaxial`; allowed here: kind, shape, seed, boundary, language, lesson, "
+     "a.yaml:5:1: error: `label` is not for `kind: biaxial`; allowed here: kind, shape, seed, boundary, language, "
+     "lesson, "
      "sample, contact, "
      "compaction, shear, step, output\nlabel: a\n^"},
     {"just words", 0, "seed=3", "a.yaml:1:1: error: a case must be a mapping of keys and values\njust words\n^"},
@@ -136,7 +141,8 @@ static const bad_case rows[] = {
      "a.yaml:2:17: error: `r_min` is -0.001, allowed is 1e-09 to 1000 m\nsample: {r_min: -1 mm, r_max: 2 mm}\n         "
      "       ^"},
     {"kind: biaxial\nsample: {r_min: , r_max: 2 mm}\ncontact: {k_n: 1 MPa}\ncompaction: {pressure: 1 kPa}\n", 0, NULL,
-     "a.yaml:2:17: error: `sample.r_min` has no value: smallest radius; radii are uniform from r_min to r_max\nsample: {r_min: , "
+     "a.yaml:2:17: error: `sample.r_min` has no value: smallest radius; radii are uniform from r_min to r_max\nsample: "
+     "{r_min: , "
      "r_max: 2 mm}\n                ^"},
     {"kind: biaxial\nsample: {r_min: 1 mm;, r_max: 2 mm}\ncontact: {k_n: 1 MPa}\ncompaction: {pressure: 1 kPa}\n", 0,
      NULL,
@@ -213,7 +219,8 @@ static const bad_case rows[] = {
      "kPa}\n",
      0, NULL,
      "a.yaml:3:23: error: unknown key `contact.k_m` (did you mean `k_n`?); allowed here: normal, friction, rolling, "
-     "rolling_velocity, arms, k_n, damping_ratio, mu, k_t, mu_r, k_r, layers, wet, model, E_star, depth, step\ncontact: "
+     "rolling_velocity, arms, k_n, damping_ratio, mu, k_t, mu_r, k_r, layers, wet, model, E_star, depth, "
+     "step\ncontact: "
      "{k_n: 1 MPa, k_m: 3}\n    "
      "                  ^"},
     {"kind: biaxial\nsample: {r_min: 1 mm, r_max: 2 mm}\ncompaction: {pressure: 1 kPa}\n", 0, NULL,
@@ -239,7 +246,8 @@ static const bad_case rows[] = {
      "--set:1:7: error: unknown key `shear.inertial_numbr` (did you mean `inertial_number`?); allowed here: "
      "lateral_pressure, hold, inertial_number, strain_end, walls\nshear.inertial_numbr=1e-4\n      ^"},
     {GOOD "boundary: periodic\nshear: {walls: rough}\n", 0, NULL,
-     "a.yaml:6:16: error: `boundary: periodic` has no walls: `walls: rough` is not allowed\nshear: {walls: rough}\n               ^"},
+     "a.yaml:6:16: error: `boundary: periodic` has no walls: `walls: rough` is not allowed\nshear: {walls: rough}\n    "
+     "           ^"},
     {GOOD "shear: {hold: mean}\n", 0, NULL,
      "a.yaml:5:15: error: the lateral walls hold their own pressure: `hold: mean` takes `boundary: periodic`\nshear: "
      "{hold: mean}\n              ^"},
@@ -618,15 +626,16 @@ static void contact_messages(void **state) {
          "a.yaml:4:25: error: `a` stands for `sqrt(4*P*R_star/(pi*E_star))` here, and that fails: `a` is 0, allowed "},
         {PAIR LAWS "path: [{force: 1, a: 3 mm}]\n",
          "a.yaml:4:19: error: `path.0.a` follows from other keys, sqrt(4*P*R_star/(pi*E_star)), and cannot be given\n"},
-        {PAIR LAWS "path: [{force: previous.force}]\n", "a.yaml:4:16: error: these keys refer to each other in a circle: "},
+        {PAIR LAWS "path: [{force: previous.force}]\n",
+         "a.yaml:4:16: error: these keys refer to each other in a circle: "},
         {PAIR LAWS "path: [{force: 1, slip: 2}]\n",
          "a.yaml:4:19: error: unknown key `path.0.slip` (did you mean "
          "`slide`?); allowed here: force, slide, roll, steps, overlap, time\n"},
         {ROLL "E_star: 3 GPa\n", "a.yaml:5:1: error: `E_star` follows from other keys, bodies.E/(2*(1 - "
                                  "bodies.nu^2)), and cannot be given\n"},
-        {ROLL "seed: 3\n",
-         "a.yaml:5:1: error: `seed` is not for `kind: contact`; allowed here: kind, language, lesson, output, bodies, laws, "
-         "path, checks\n"},
+        {ROLL "seed: 3\n", "a.yaml:5:1: error: `seed` is not for `kind: contact`; allowed here: kind, language, "
+                           "lesson, output, bodies, laws, "
+                           "path, checks\n"},
         {ROLL "contact: {mu: 1}\n", "a.yaml:5:1: error: `contact` is not for `kind: contact`; allowed here: "},
         {PAIR "laws: [{friction: coulomb-spring}]\npath: [{force: 1}]\n",
          "a.yaml:3:8: error: `laws.0.k_t` is not given, and its default `0.5*k_n` fails: `k_n` belongs to the law "

@@ -122,7 +122,8 @@ static void functions_are_the_portable_ones(void **state) {
 
 static void refuses(void **state) {
     (void)state;
-    const char *const mixes = "mixes dimensions: the terms of a sum need one dimension, functions and powers need numbers";
+    const char *const mixes =
+        "mixes dimensions: the terms of a sum need one dimension, functions and powers need numbers";
     const char *const hertz =
         "Hz is not a unit here: a turn a second is 2*pi*rad/s, not 1 rad/s; write rad/s, deg/s or "
         "rpm (1 Hz = 2*pi*rad/s = 360 deg/s = 60 rpm)";

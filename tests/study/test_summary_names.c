@@ -40,8 +40,8 @@ static void names_are_known_before(void **state) {
         char dir[TR_PATH], path[TR_PATH], *before = NULL;
         size_t size;
         if (!tr_file_write(folder, "known.yaml", base[i], &st) || !tr_dir_path(path, folder, "known.yaml", &st) ||
-            !tr_scene_read_file(&scene, path, NULL, 0, tr_laws_catalog(), &st) || !tr_run_check(&scene, &report, &before, &st) ||
-            !tr_dir_path(dir, folder, "known", &st) ||
+            !tr_scene_read_file(&scene, path, NULL, 0, tr_laws_catalog(), &st) ||
+            !tr_run_check(&scene, &report, &before, &st) || !tr_dir_path(dir, folder, "known", &st) ||
             !tr_run(&scene, &(tr_run_options){.dir = dir, .force = true, .checkpoint = 60}, &report, &st) ||
             !tr_dir_path(path, dir, "summary.json", &st))
             fail_msg("%s", st.text);
