@@ -175,13 +175,12 @@ static json_t *accuracy_of(const tr_accuracy *a) {
     return o;
 }
 
-char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, double unbalanced, const tr_strength *s,
-                         double mean_stress_2, const tr_energy *energy, int64_t paths_bytes,
-                         const tr_accuracy *accuracy, const tr_timing *timing, tr_status *st) {
+char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, const tr_biaxial_result *result, tr_status *st) {
+    const tr_strength *s = &result->strength;
     json_t *o = begin(scene, "biaxial");
     json_object_set_new(o, "n_disks", json_integer(scene->sample.disks));
-    add(o, "e0", e0);
-    add(o, "unbalanced_after_compaction", unbalanced);
+    add(o, "e0", result->e0);
+    add(o, "unbalanced_after_compaction", result->unbalanced);
     add(o, "e_residual", s->e_residual);
     add(o, "sin_phi_peak", s->sin_phi_peak);
     add(o, "strain_at_peak", s->strain_peak);
@@ -196,7 +195,7 @@ char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, 
     TR_FORCE_MEASURES(RESIDUAL)
     add(o, "residual_from_strain", s->residual_from);
     add(o, "strain_end", scene->shear.strain_end);
-    add_by_shape(o, scene->shape, "mean_stress_2_Pa|mean_stress_2_N_per_m", mean_stress_2);
+    add_by_shape(o, scene->shape, "mean_stress_2_Pa|mean_stress_2_N_per_m", result->mean_stress_2);
     add(o, "inertial_number", scene->shear.inertial_number);
     add(o, "stiffness_ratio", tr_biaxial_stiffness(b, scene->shear.lateral_pressure) / scene->shear.lateral_pressure);
     add_by_shape(o, scene->shape, "mean_mass_kg_per_m|mean_mass_kg", b->mean_mass);
@@ -214,16 +213,17 @@ char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, 
     json_object_set_new(o, "contact_updates", json_integer(b->world.contact_updates));
     json_object_set_new(o, "pair_searches", json_integer(b->world.searches));
     json_object_set_new(o, "list_refreshes", json_integer(b->world.refreshes));
-    if (energy) {
+    if (result->energy) {
+        const tr_energy *energy = result->energy;
         add_by_shape(o, scene->shape, "energy_work_J_per_m|energy_work_J", energy->work);
         add_by_shape(o, scene->shape, "energy_residual_J_per_m|energy_residual_J", energy->residual);
         add(o, "energy_residual_over_work", energy->residual / energy->work);
         json_object_set_new(o, "energy", energy_of(scene->shape, energy));
     }
-    json_object_set_new(o, "accuracy", accuracy_of(accuracy));
-    if (paths_bytes) json_object_set_new(o, "paths_bytes", json_integer(paths_bytes));
+    json_object_set_new(o, "accuracy", accuracy_of(&result->accuracy));
+    if (result->paths_bytes) json_object_set_new(o, "paths_bytes", json_integer(result->paths_bytes));
     add_pipeline(o, &b->world);
-    return finish(o, timing, st);
+    return finish(o, &result->timing, st);
 }
 
 static void add_lane(json_t *o, const tr_scene *scene, const tr_bodies *b) {

@@ -68,11 +68,19 @@ typedef struct tr_strength_accuracy tr_strength_accuracy;
 
 tr_strength tr_summary_strength(const tr_series *series);
 
-/* Text of summary.json (free()); NULL: out of memory. energy may be NULL. paths_bytes: size of paths.csv: a replay
- * checks it; 0: no such file. Runs of the same case give the same text, except "timing". */
-char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, double e0, double unbalanced,
-                         const tr_strength *strength, double mean_stress_2, const tr_energy *energy,
-                         int64_t paths_bytes, const tr_accuracy *accuracy, const tr_timing *timing, tr_status *st);
+/* What summary.json says of a biaxial test. */
+typedef struct tr_biaxial_result {
+    double e0, unbalanced; /* after the compaction [1] */
+    tr_strength strength;
+    double mean_stress_2;    /* [Pa] */
+    const tr_energy *energy; /* NULL: no ledger was kept */
+    int64_t paths_bytes;     /* size of paths.csv, which a replay checks; 0: no such file */
+    tr_accuracy accuracy;
+    tr_timing timing;
+} tr_biaxial_result;
+
+/* Text of summary.json (free()); NULL: out of memory. Runs of the same case give the same text, except "timing". */
+char *tr_summary_biaxial(const tr_scene *scene, const tr_biaxial *b, const tr_biaxial_result *result, tr_status *st);
 /* b: of the scene, and of scene->more; result: n of them. */
 char *tr_summary_bodies(const tr_scene *scene, const tr_bodies *const *b, const tr_check_result *result, int n,
                         const tr_timing *timing, tr_status *st);

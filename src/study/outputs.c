@@ -32,15 +32,16 @@ static void note_fewer(const tr_outputs *o, tr_run_report *report, int64_t total
                     (long long)total, rows, frames, lists);
 }
 
-bool tr_outputs_open(tr_outputs *o, const tr_scene *scene, const tr_run_options *options, const char *film,
-                     int64_t total, bool resume, tr_run_report *report, tr_status *st) {
-    bool (*open)(tr_file *, const char *, const char *, tr_status *) = resume ? tr_file_reopen : tr_file_open;
+bool tr_outputs_open(tr_outputs *o, const tr_outputs_wanted *wanted, tr_run_report *report, tr_status *st) {
+    bool (*open)(tr_file *, const char *, const char *, tr_status *) = wanted->resume ? tr_file_reopen : tr_file_open;
+    const tr_scene *scene = wanted->scene;
+    const tr_run_options *options = wanted->options;
     *o = (tr_outputs){.scene = scene, .options = options};
-    note_fewer(o, report, total);
+    note_fewer(o, report, wanted->total);
     if (!open(&o->history, options->dir, "history.csv", st)) return false;
     if (scene->output.contacts && !open(&o->contacts, options->dir, "contacts.csv", st)) return false;
-    int frames = scene->output.frames ? rows_of(scene->output.frames, total) : 0;
-    return tr_film_open(&o->film, options->dir, film, frames, report, st);
+    int frames = scene->output.frames ? rows_of(scene->output.frames, wanted->total) : 0;
+    return tr_film_open(&o->film, options->dir, wanted->film, frames, report, st);
 }
 
 void tr_outputs_checkpoint(tr_outputs *o, tr_checkpoint *c) {

@@ -29,10 +29,17 @@ void tr_outputs_checkpoint(tr_outputs *o, tr_checkpoint *c);
 
 typedef void tr_draw(tr_canvas *canvas, const tr_view *view);
 
-/* total: steps of the run. resume: the files continue. If the steps are too few for all outputs, a note says how many
+typedef struct tr_outputs_wanted {
+    const tr_scene *scene;
+    const tr_run_options *options;
+    const char *film; /* name of its file */
+    int64_t total;    /* steps of the run */
+    bool resume;      /* the files are continued */
+} tr_outputs_wanted;
+
+/* If the steps are too few for all outputs, a note says how many
  * fewer there will be. */
-bool tr_outputs_open(tr_outputs *o, const tr_scene *scene, const tr_run_options *options, const char *film,
-                     int64_t total, bool resume, tr_run_report *report, tr_status *st);
+bool tr_outputs_open(tr_outputs *o, const tr_outputs_wanted *wanted, tr_run_report *report, tr_status *st);
 /* What is due at step k of total: rows and frames are spread evenly from 0 to the end, lists of contacts end at the
  * end. */
 enum { TR_DUE_ROW = 1, TR_DUE_FRAME = 2, TR_DUE_CONTACTS = 4 };

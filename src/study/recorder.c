@@ -31,22 +31,23 @@ tr_contact_id tr_recorder_most(tr_world *world, tr_status *st) {
     return most;
 }
 
-bool tr_recorder_open(tr_recorder *r, const tr_scene *scene, tr_contact_id most, tr_world *world, const char *dir,
-                      const char *prefix, int64_t total, bool resume, tr_run_report *report, tr_status *st) {
+bool tr_recorder_open(tr_recorder *r, const tr_recording *of, tr_run_report *report, tr_status *st) {
+    const tr_scene *scene = of->scene;
+    tr_world *world = of->world;
     const tr_contact_ids *picks = &scene->output.paths;
-    bool (*open)(tr_file *, const char *, const char *, tr_status *) = resume ? tr_file_reopen : tr_file_open;
-    *r = (tr_recorder){.shape = scene->shape, .total = total, .world = world, .dt = world->dt, .report = report};
-    r->n_rows = scene->output.path_rows > total ? (int)total + 1 : scene->output.path_rows;
+    bool (*open)(tr_file *, const char *, const char *, tr_status *) = of->resume ? tr_file_reopen : tr_file_open;
+    *r = (tr_recorder){.shape = scene->shape, .total = of->total, .world = world, .dt = world->dt, .report = report};
+    r->n_rows = scene->output.path_rows > of->total ? (int)of->total + 1 : scene->output.path_rows;
     r->paths.all = r->n_rows > 0;
-    if (r->paths.all && !open(&r->all, dir, "paths.csv", st)) return false;
-    if (picks->n && !tr_dir_make(dir, "paths", st)) return false;
+    if (r->paths.all && !open(&r->all, of->dir, "paths.csv", st)) return false;
+    if (picks->n && !tr_dir_make(of->dir, "paths", st)) return false;
     for (int k = 0; k < picks->n; k++) {
         tr_contact_id pick = picks->item[k];
         char name[TR_CONTACT_NAME], file[TR_CONTACT_NAME + 16];
         tr_contact_name_write(pick, name);
-        snprintf(file, sizeof file, "paths/%s%s.csv", prefix, name);
+        snprintf(file, sizeof file, "paths/%s%s.csv", of->prefix, name);
         if (pick.a == pick.b) {
-            pick = most;
+            pick = of->most;
             tr_contact_name_write(pick, name);
             if (pick.a == pick.b) {
                 tr_run_note(report, "no path of most-mobilised: no contact has friction at the end");
@@ -55,7 +56,7 @@ bool tr_recorder_open(tr_recorder *r, const tr_scene *scene, tr_contact_id most,
             tr_run_note(report, "most-mobilised is %s; the case was run twice to find it", name);
         }
         int n = r->paths.contacts.n;
-        if (!open(&r->item[n].file, dir, file, st)) return false;
+        if (!open(&r->item[n].file, of->dir, file, st)) return false;
         r->paths.contacts.item[r->paths.contacts.n++] = pick;
     }
     if (picks->n || r->paths.all) tr_paths_attach(world, &r->paths);

@@ -54,10 +54,18 @@ typedef struct tr_recorder {
     } item[TR_MAX_CONTACT_IDS];
 } tr_recorder;
 
-/* total: steps of the run, for path_rows. most: the contact of most-mobilised; a == b: none. prefix: of the
- * names of the files. The recorder must not move until it is closed. */
-bool tr_recorder_open(tr_recorder *r, const tr_scene *scene, tr_contact_id most, tr_world *world, const char *dir,
-                      const char *prefix, int64_t total, bool resume, tr_run_report *report, tr_status *st);
+/* What is recorded, and where. */
+typedef struct tr_recording {
+    const tr_scene *scene;
+    tr_world *world;
+    const char *dir, *prefix; /* prefix: of the names of the files */
+    tr_contact_id most;       /* the contact of most-mobilised; a == b: none */
+    int64_t total;            /* steps of the run, for path_rows; 0: none */
+    bool resume;              /* the files are continued */
+} tr_recording;
+
+/* The recorder must not move until it is closed. */
+bool tr_recorder_open(tr_recorder *r, const tr_recording *of, tr_run_report *report, tr_status *st);
 /* After it; resume: the files continue. */
 void tr_recorder_checkpoint(tr_recorder *r, tr_checkpoint *c);
 bool tr_recorder_step(tr_recorder *r, tr_status *st);  /* after every tr_step_forces */

@@ -287,9 +287,10 @@ static bool prepare(test *t, tr_status *st) {
     bool small = t->scene->sample.disks > 2000; /* disks of 12 pixels and less: no room for lines */
     if (small || t->view.color == TR_COLOR_SPIN) t->view.fill = t->fill;
     t->b.world.contact_updates = 0;
-    bool ok = tr_outputs_open(&t->out, t->scene, t->options, "biaxial.mp4", t->b.shear_steps, compacted, report, st) &&
-              tr_recorder_open(&t->out.recorder, t->scene, t->most, &t->b.world, t->options->dir, "", t->b.shear_steps,
-                               compacted, report, st) &&
+    const tr_recording recorded = {t->scene, &t->b.world, t->options->dir, "", t->most, t->b.shear_steps, compacted};
+    const tr_outputs_wanted wanted = {t->scene, t->options, "biaxial.mp4", t->b.shear_steps, compacted};
+    bool ok = tr_outputs_open(&t->out, &wanted, report, st) &&
+              tr_recorder_open(&t->out.recorder, &recorded, report, st) &&
               (!t->scene->output.contacts ||
                (compacted ? tr_file_reopen : tr_file_open)(&t->disks, t->options->dir, "disks.csv", st));
     ok = ok && open_inset(t, st);
@@ -404,13 +405,17 @@ static bool summarise(test *t, double started, double updates_per_s, tr_status *
         return false;
     else if (code)
         tr_run_note(t->report, "no curves: gnuplot failed (%d) on plot.gp; run it there to see why", code);
-    tr_timing timing = {tr_run_clock() - started, updates_per_s};
-    tr_accuracy accuracy = tr_spread_of(&t->b);
-    char *text =
-        tr_summary_biaxial(scene, &t->b, t->e0, t->unbalanced, &s, t->stress_2_sum / t->stress_n,
-                           t->b.world.ledger ? &t->energy : NULL, t->out.recorder.bytes, &accuracy, &timing, st);
+    const tr_biaxial_result result = {t->e0,
+                                      t->unbalanced,
+                                      s,
+                                      t->stress_2_sum / t->stress_n,
+                                      t->b.world.ledger ? &t->energy : NULL,
+                                      t->out.recorder.bytes,
+                                      tr_spread_of(&t->b),
+                                      {tr_run_clock() - started, updates_per_s}};
+    char *text = tr_summary_biaxial(scene, &t->b, &result, st);
     if (!text) return false;
-    report(t, &s, &accuracy, &timing);
+    report(t, &s, &result.accuracy, &result.timing);
     bool ok = tr_file_write(t->options->dir, "summary.json", text, st);
     free(text);
     return ok;
@@ -422,9 +427,10 @@ char *tr_run_check_biaxial(const tr_scene *scene, tr_run_report *report, tr_stat
     char *summary = NULL;
     if (b && tr_biaxial_init(b, scene, st)) {
         tr_warn_biaxial(b, report);
-        tr_accuracy accuracy = tr_spread_of(b);
-        summary = tr_summary_biaxial(scene, b, 0, 0, &(tr_strength){0}, 0, scene->output.energy ? &energy : NULL,
-                                     scene->output.path_rows, &accuracy, &(tr_timing){0}, st);
+        const tr_biaxial_result later = {.energy = scene->output.energy ? &energy : NULL,
+                                         .paths_bytes = scene->output.path_rows,
+                                         .accuracy = tr_spread_of(b)};
+        summary = tr_summary_biaxial(scene, b, &later, st);
         tr_biaxial_free(b);
     }
     free(b);

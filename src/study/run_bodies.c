@@ -186,14 +186,14 @@ static bool prepare(show *s, tr_status *st) {
 
 static bool open_outputs(show *s, tr_status *st) {
     int64_t total = s->cast.play[s->cast.leader]->b.steps;
-    if (!tr_outputs_open(&s->out, s->scene, s->options, "bodies.mp4", total, false, s->report, st)) return false;
+    const tr_outputs_wanted wanted = {s->scene, s->options, "bodies.mp4", total, false};
+    if (!tr_outputs_open(&s->out, &wanted, s->report, st)) return false;
     for (int i = 0; i < s->cast.n; i++) {
         tr_play *p = s->cast.play[i];
         char prefix[16] = "";
         if (s->cast.n > 1) snprintf(prefix, sizeof prefix, "%d-", i);
-        if (!tr_recorder_open(&p->recorder, s->scene, s->most[i], &p->b.world, s->options->dir, prefix, 0, false,
-                              s->report, st))
-            return false;
+        const tr_recording recorded = {s->scene, &p->b.world, s->options->dir, prefix, s->most[i], 0, false};
+        if (!tr_recorder_open(&p->recorder, &recorded, s->report, st)) return false;
         tr_status why = {0};
         if (s->scene->output.frames && p->recorder.paths.contacts.n)
             tr_inset_open(&p->inset, &p->b.world, p->recorder.paths.contacts.item[0], &why);

@@ -146,7 +146,7 @@ static void spike(void **state) {
     tr_status st = {0};
     tr_recorder *r = calloc(1, sizeof *r);
     if (!tr_bodies_init(&b, &scene, &st) ||
-        !tr_recorder_open(r, &scene, (tr_contact_id){0}, &b.world, folder, "", 0, false, &report, &st))
+        !tr_recorder_open(r, &(tr_recording){&scene, &b.world, folder, "", {0}, 0, false}, &report, &st))
         fail_msg("%s", st.text);
     for (int k = 1; k <= 9; k++) {
         r->paths.now[0].P = k == 5 ? 150 : 100;
