@@ -162,10 +162,8 @@ static const tr_param gravity[] = {
 
 #define STRUCT tr_scene_step
 #define SAFETY(default_, more)                                                                                         \
-    {                                                                                                                  \
-        "safety", TR_REAL, TR_DIM_NUMBER, "1", default_, 1e-6, 1, NULL, AT(safety),                                    \
-            "time step over its stability bound" more                                                                  \
-    }
+    { "safety", TR_REAL, TR_DIM_NUMBER, "1", default_, 1e-6, 1, NULL, AT(safety),                                      \
+      "time step over its stability bound" more }
 /* From `trundle verify precision`: a few bodies need accurate numbers, and at 0.1 most are good to 1e-3. The scatter of
  * an assembly is far larger than the error of its step. */
 static const tr_param step_bodies[] = {
@@ -173,8 +171,7 @@ static const tr_param step_bodies[] = {
 static const tr_param step_biaxial[] = {SAFETY("0.4", "")};
 static const tr_param step[] = {
     {"dt", TR_REAL, TR_DIM_TIME, "s", "0", 0, 1e6, NULL, AT(dt), "time step; 0: safety times the bound"},
-    {"allow_unstable", TR_SWITCH, TR_DIM_NUMBER, "", "no", 0, 0, NULL, AT(allow_unstable),
-     "allow a dt above the bound"},
+    {"allow_unstable", TR_SWITCH, TR_DIM_NUMBER, "", "no", 0, 0, NULL, AT(allow_unstable), "allow dt above the bound"},
 };
 #undef STRUCT
 
