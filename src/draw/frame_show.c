@@ -81,10 +81,10 @@ static tr_cell cell_of(const tr_grid *grid, const tr_show *show, int i) {
     return lay_cell(grid_box(grid, i), grid->lines, inset);
 }
 
-/* A floor has its hatching and its arcs below it, and walls of different laws their names. */
+/* A floor has its hatching and its arcs below it, a ring its arcs, and walls of different laws their names. */
 static tr_box room_of(const tr_cell *cell, const tr_show_lane *lane) {
     tr_box room = cell->stage;
-    if (lane->world->n_walls > 0) room.h -= BELOW_FLOOR;
+    if (lane->world->n_walls > 0 || lane->world->n_rings > 0) room.h -= BELOW_FLOOR;
     if (lane->world->wall_laws) room.h -= BELOW_NAMES;
     return room;
 }
