@@ -49,7 +49,7 @@ static bool read_laws(tr_scene *scene, const char *laws, tr_status *st) {
     char *text = tr_alloc(room, 1, st);
     if (!text) return false;
     int size = snprintf(text, room, frame, laws);
-    bool ok = tr_scene_read(scene, "laws", text, (size_t)size, NULL, 0, tr_laws_catalog(), st);
+    bool ok = tr_scene_read(scene, &(tr_scene_source){"laws", text, (size_t)size, NULL, 0}, tr_laws_catalog(), st);
     free(text);
     return ok;
 }
@@ -73,9 +73,9 @@ static bool set_up(trundle_contact *c, const trundle_pair *p, tr_status *st) {
     tr_world *w = &c->world;
     c->plane = p->R1 == 0;
     if (!tr_world_init(w, c->plane ? 1 : 2, TR_SHAPE_DISK, st)) return false;
-    if (!c->plane) tr_world_set_disk(w, 0, 0, 0, 0, p->R1, p->density1, false);
+    if (!c->plane) tr_world_set_disk(w, 0, &(tr_disk_start){0, 0, 0, p->R1, p->density1, false});
     w->n_rings = p->R1 < 0; /* with the mass and inertia of a disk of that radius */
-    tr_world_set_disk(w, c->plane ? 0 : 1, 0, 0, 0, p->R2, p->density2, false);
+    tr_world_set_disk(w, c->plane ? 0 : 1, &(tr_disk_start){0, 0, 0, p->R2, p->density2, false});
     if (c->plane) w->wall[0] = (tr_wall){.nx = p->nx, .ny = p->ny}, w->n_walls = 1;
     double along[] = {c->plane ? p->nx : 1, c->plane ? p->ny : 0}, R = p->R1 + p->R2,
            reach = fabs(R) * (R < 0 ? 1 + 1e-9 : 1 - 1e-9);

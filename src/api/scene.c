@@ -20,7 +20,8 @@ static trundle_scene *scene_of(const char *path, const char *name, const char *t
     if (n_sets < 0) tr_status_fail(&st, TR_BAD_CASE, "error: the number of sets is negative");
     bool ok = !st.code && (s = tr_alloc(1, sizeof *s, &st)) &&
               (path ? tr_scene_read_file(&s->scene, path, sets, n_sets, tr_laws_catalog(), &st)
-                    : tr_scene_read(&s->scene, name, text, strlen(text), sets, n_sets, tr_laws_catalog(), &st));
+                    : tr_scene_read(&s->scene, &(tr_scene_source){name, text, strlen(text), sets, n_sets},
+                                    tr_laws_catalog(), &st));
     tr_api_locale_leave(l);
     tr_api_tell(&st, error);
     if (ok) return s;

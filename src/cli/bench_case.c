@@ -15,9 +15,11 @@ bool tr_cli_bench_case(const tr_bench_arguments *a, const char *const *more, int
     int n_set = a->n_set;
     for (int i = 0; i < n_set; i++) set[i] = a->set[i];
     for (int i = 0; i < n; i++) set[n_set++] = more[i];
-    bool ok = a->file ? tr_scene_read_file(scene, a->file, set, n_set, tr_laws_catalog(), st)
-                      : tr_scene_read(scene, "(default case)", default_case, sizeof default_case - 1, set, n_set,
-                                      tr_laws_catalog(), st);
+    bool ok =
+        a->file ? tr_scene_read_file(scene, a->file, set, n_set, tr_laws_catalog(), st)
+                : tr_scene_read(scene,
+                                &(tr_scene_source){"(default case)", default_case, sizeof default_case - 1, set, n_set},
+                                tr_laws_catalog(), st);
     if (ok && scene->kind != TR_KIND_BIAXIAL)
         ok = tr_status_fail(st, TR_BAD_CASE, "error: bench needs a case of kind: biaxial");
     if (ok && *scene->sample.file)

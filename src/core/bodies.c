@@ -64,7 +64,7 @@ static bool fill(tr_bodies *b, const tr_scene *scene, tr_status *st) {
     if (load && !(world->disks.load = tr_alloc((size_t)scene->n_disks * 4, sizeof(double), st))) return false;
     for (int i = 0; i < scene->n_disks; i++) {
         const tr_scene_disk *d = &scene->disks[i];
-        tr_world_set_disk(world, i, d->x, d->y, d->angle, d->radius, d->density, false);
+        tr_world_set_disk(world, i, &(tr_disk_start){d->x, d->y, d->angle, d->radius, d->density, false});
         if (d->ring > 0 && !tr_world_set_ring(world, i, d->radius, d->radius + d->ring, d->density, st)) return false;
         world->n_rings += d->ring > 0;
         if (d->inertia > 0)

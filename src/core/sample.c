@@ -74,7 +74,7 @@ bool tr_sample_number(tr_world *world, const double *pos, double side, double de
     if (order) qsort(order, (size_t)n, sizeof *order, compare);
     for (int i = 0; order && i < n; i++) {
         const double *q = pos + tr_body(order[i].i);
-        tr_world_set_disk(world, i, q[0], q[1], 0, q[3], density, false);
+        tr_world_set_disk(world, i, &(tr_disk_start){q[0], q[1], 0, q[3], density, false});
     }
     free(order);
     return order != NULL;

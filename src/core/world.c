@@ -48,11 +48,12 @@ void tr_world_free(tr_world *world) {
     *world = (tr_world){0};
 }
 
-void tr_world_set_disk(tr_world *world, int i, double x, double y, double angle, double radius, double density,
-                       bool prescribed) {
+void tr_world_set_disk(tr_world *world, int i, const tr_disk_start *start) {
+    const double radius = start->radius, density = start->density;
+    const bool prescribed = start->prescribed;
     double *pos = world->disks.pos + tr_body(i), *inv = world->disks.inv + tr_body(i);
     double m = density * M_PI * radius * radius * (world->shape == TR_SHAPE_SPHERE ? 4 * radius / 3 : 1);
-    pos[0] = x, pos[1] = y, pos[2] = angle, pos[3] = radius;
+    pos[0] = start->x, pos[1] = start->y, pos[2] = start->angle, pos[3] = radius;
     world->disks.mass[i] = m;
     world->disks.inertia[i] = tr_law_inertia(world->shape) * m * radius * radius;
     inv[0] = inv[1] = prescribed ? 0 : 1 / m;

@@ -225,8 +225,11 @@ void tr_world_free(tr_world *world);
 
 /* Centre [m], angle [rad], radius [m], density [kg/m^3]; I = m R^2/2, of a sphere 2 m R^2/5. prescribed: keeps its
  * velocity whatever acts on it. */
-void tr_world_set_disk(tr_world *world, int i, double x, double y, double angle, double radius, double density,
-                       bool prescribed);
+typedef struct tr_disk_start {
+    double x, y, angle, radius, density;
+    bool prescribed;
+} tr_disk_start;
+void tr_world_set_disk(tr_world *world, int i, const tr_disk_start *start);
 
 /* Wall w gets laws of its own, which must outlive the world; NULL: those of two disks. Before the laws are set. */
 bool tr_world_set_wall_laws(tr_world *world, int w, const tr_scene_contact *laws, tr_status *st);

@@ -292,7 +292,8 @@ static void draw_inset(cairo_t *cr, const tr_view *view, const tr_map *map, doub
     }
     tr_pen_text(cr, (tr_text){.x = TR_PANEL_X, .y = top + 20, .size = 22, .room = TR_PANEL_W}, label);
     tr_pen_text(cr, (tr_text){.x = TR_PANEL_X, .y = top + 48, .size = 24, .bold = true, .room = TR_PANEL_W}, numbers);
-    tr_draw_patch_inset(cr, TR_PANEL_X, top + 56, TR_PANEL_W, bottom - top - 56, view->inset, view->inset_pair, true);
+    tr_draw_patch_inset(cr, (tr_box){TR_PANEL_X, top + 56, TR_PANEL_W, bottom - top - 56}, view->inset,
+                        view->inset_pair, true);
 }
 
 void tr_draw_biaxial(tr_canvas *canvas, const tr_view *view) {

@@ -131,7 +131,7 @@ static void draw_inset(const tr_stage *s, tr_box box, bool expert) {
     }
     tr_pen_text(s->cr, (tr_text){.x = box.x, .y = box.y + 18, .size = expert ? 18 : 24, .room = box.w},
                 TR_SAY(s->cr, inside_enlarged));
-    tr_draw_patch_inset(s->cr, box.x, box.y + 24, box.w, box.h - 24, lane->inset, lane->inset_pair, expert);
+    tr_draw_patch_inset(s->cr, (tr_box){box.x, box.y + 24, box.w, box.h - 24}, lane->inset, lane->inset_pair, expert);
 }
 
 static tr_stage draw_lane(cairo_t *cr, const tr_show *show, const tr_grid *grid, double range, int i) {

@@ -193,8 +193,8 @@ static void draw_scale(const tr_patch_plot *p, double x, double y, double width)
     tr_pen_text(p->cr, at, label);
 }
 
-void tr_draw_patch_inset(cairo_t *cr, double x, double y, double width, double height, const tr_patch_state *state,
-                         const tr_patch_pair *pair, bool expert) {
+void tr_draw_patch_inset(cairo_t *cr, tr_box box, const tr_patch_state *state, const tr_patch_pair *pair, bool expert) {
+    const double x = box.x, y = box.y, width = box.w, height = box.h;
     double text = expert ? fmin(fmax(0.1 * height, 16), 24) : 24, reach = 0.5 * width - 4,
            half = 0.5 * (height - (expert ? 3 : 1.6) * text) - 4;
     bool open = !(state->P > 0);

@@ -8,6 +8,7 @@
 #define TR_PATCH_PLOT_H
 
 #include "draw/draw.h"
+#include "draw/frame.h"
 #include "draw/pen.h"
 
 /* Pixel of (x, tau): (x0 + a x/state->a, y0 - scale tau). */
@@ -42,7 +43,6 @@ void tr_patch_plot_hatch(cairo_t *cr, double x, double y, double width, double h
 
 /* The same picture, small, for other frames; ranges of this state, with a scale of its slip. 240 x 160 px or more. A
  * class has no numbers, and letters of 24 px. */
-void tr_draw_patch_inset(cairo_t *cr, double x, double y, double width, double height, const tr_patch_state *state,
-                         const tr_patch_pair *pair, bool expert);
+void tr_draw_patch_inset(cairo_t *cr, tr_box box, const tr_patch_state *state, const tr_patch_pair *pair, bool expert);
 
 #endif

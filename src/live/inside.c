@@ -26,7 +26,8 @@ int EXPORT(live_inside_open)(void) {
     tr_inside_free(inside), inside = NULL;
     tr_scene_free(&scene);
     now = (struct inside_now){0}, left = 0;
-    if (!tr_scene_read(&scene, "case.yaml", live_text(), strlen(live_text()), NULL, 0, tr_laws_catalog(), &st) ||
+    if (!tr_scene_read(&scene, &(tr_scene_source){"case.yaml", live_text(), strlen(live_text()), NULL, 0},
+                       tr_laws_catalog(), &st) ||
         !(inside = tr_inside_new(&scene, &st)))
         return tell(&st);
     for (int i = 0; i < scene.n_segments; i++) left += scene.path[i].steps;

@@ -85,13 +85,14 @@ static bool read_more(tr_scene *scene, tr_node *root, tr_document d, const sets 
     return true;
 }
 
-bool tr_scene_read(tr_scene *scene, const char *name, const char *text, size_t size, const char *const *set_text,
-                   int n_sets, const tr_param_catalog *catalog, tr_status *st) {
+bool tr_scene_read(tr_scene *scene, const tr_scene_source *of, const tr_param_catalog *catalog, tr_status *st) {
+    const char *text = of->text;
+    size_t size = of->size;
     *scene = (tr_scene){0};
     if (size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) text += 3, size -= 3; /* byte order mark */
-    const tr_source source = {name, text, size};
-    tr_document d = {.name = name, .catalog = catalog, .st = st};
-    sets sets = {set_text, tr_alloc((size_t)n_sets, sizeof *sets.source, st), n_sets};
+    const tr_source source = {of->name, text, size};
+    tr_document d = {.name = of->name, .catalog = catalog, .st = st};
+    sets sets = {of->sets, tr_alloc((size_t)of->n_sets, sizeof *sets.source, st), of->n_sets};
     tr_node *root = NULL;
     bool ok = sets.source && tr_text_check(&source, st) && (root = tr_tree_read(&source, st)) &&
               (d.expression = tr_expression_new(st));
@@ -111,7 +112,7 @@ bool tr_scene_read_file(tr_scene *scene, const char *path, const char *const *se
     *scene = (tr_scene){0};
     size_t size;
     char *text = tr_text_file(path, &size, st);
-    bool ok = text && tr_scene_read(scene, path, text, size, sets, n_sets, catalog, st);
+    bool ok = text && tr_scene_read(scene, &(tr_scene_source){path, text, size, sets, n_sets}, catalog, st);
     free(text);
     return ok;
 }

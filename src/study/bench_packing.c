@@ -43,7 +43,8 @@ static void make_rim(tr_biaxial *b) {
         for (int k = 0; k < world->n_walls; k++)
             near = fmin(near, (q[0] - w[k].x) * w[k].nx + (q[1] - w[k].y) * w[k].ny);
         v[0] = 0.3 * b->rate * (q[0] - x), v[1] = -b->rate * (q[1] - y), v[2] = 0;
-        tr_world_set_disk(world, i, q[0], q[1], 0, q[3], b->scene->sample.density, near < 2 * b->mean_radius);
+        tr_world_set_disk(world, i,
+                          &(tr_disk_start){q[0], q[1], 0, q[3], b->scene->sample.density, near < 2 * b->mean_radius});
     }
     world->n_walls = 0, world->boxed = false;
 }

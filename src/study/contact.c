@@ -197,9 +197,9 @@ static int steps_of_row(const tr_contact *c, const line *l, double P, double rol
 }
 
 /* To the force or the overlap `to`. */
-static bool advance(const tr_contact *c, line *l, bool by_force, double to, double w1, double w2, double dt,
-                    tr_status *st) {
+static bool advance(const tr_contact *c, line *l, double to, double w1, double w2, double dt, tr_status *st) {
     const tr_scene_segment *g = &c->scene->path[c->segment];
+    const bool by_force = !isnan(g->force);
     const double from = by_force ? l->P : l->delta;
     const int n = by_force ? steps_of_row(c, l, to, g->roll) : 1;
     for (int k = 1; k <= n; k++) {
@@ -223,7 +223,7 @@ bool tr_contact_step(tr_contact *c, tr_contact_state *state, tr_status *st) {
         line *l = &c->lines[i];
         double start = by_force ? l->P_start : l->delta_start;
         bool ok = s.step > 1 || run_passes(l, 0, 0, dt, st); /* at its first force the contact is at rest, Q = 0 */
-        if (!ok || !advance(c, l, by_force, last ? goal : start + part * (goal - start), w1, w2, dt, st)) {
+        if (!ok || !advance(c, l, last ? goal : start + part * (goal - start), w1, w2, dt, st)) {
             size_t used = strlen(st->text);
             snprintf(st->text + used, sizeof st->text - used, ", in laws.%d at step %lld (path.%d)", i,
                      (long long)s.step, s.segment);

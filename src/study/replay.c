@@ -77,7 +77,8 @@ static bool choose_laws(tr_replay *r, int elements, tr_status *st) {
         fputs("path: [{force: 0}]\n", scene.stream);
     }
     char *text = tr_gather_end(&scene, st);
-    bool ok = text && tr_scene_read(&r->contact, "replay", text, scene.n, NULL, 0, tr_laws_catalog(), st);
+    bool ok =
+        text && tr_scene_read(&r->contact, &(tr_scene_source){"replay", text, scene.n, NULL, 0}, tr_laws_catalog(), st);
     free(text);
     if (!ok) return false;
     tr_scene_contact *item = &r->contact.laws[TR_REPLAY_OWN];

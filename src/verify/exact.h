@@ -7,14 +7,6 @@
 #include "study/contact.h"
 #include "verify/verify.h"
 
-/* A row; order: NAN if none was observed. */
-bool tr_exact_row(tr_verify *v, const char *quantity, const char *unit, double computed, double reference,
-                  double tolerance, double order, const char *reason, tr_status *st);
-
-/* The same, with words behind it. */
-bool tr_exact_row_and(tr_verify *v, const char *quantity, const char *unit, double computed, double reference,
-                      double tolerance, const char *reason, const char *outcome, tr_status *st);
-
 /* Drives the first law of a case of kind contact: state at the end of each segment, at most n of them. pair: of the
  * case; may be NULL. */
 bool tr_exact_path(const char *text, tr_contact_state *end, int n, tr_scene_pair *pair, tr_status *st);

@@ -22,12 +22,13 @@ static bool cluster(tr_world *w, tr_status *st) {
                                "0.3, k_r: 5e5}\ndisks: [{radius: 1, density: 1, x: 0, y: 0}]\n";
     tr_scene scene;
     tr_random r = tr_random_seed(3, 1);
-    if (!tr_scene_read(&scene, "cluster", text, strlen(text), NULL, 0, tr_laws_catalog(), st)) return false;
+    if (!tr_scene_read(&scene, &(tr_scene_source){"cluster", text, strlen(text), NULL, 0}, tr_laws_catalog(), st))
+        return false;
     bool ok = tr_world_init(w, SIDE * SIDE, TR_SHAPE_DISK, st);
     for (int i = 0; ok && i < SIDE * SIDE; i++) {
         int row = i / SIDE, column = i % SIDE;
         double *v = w->disks.vel + tr_body(i), x = 0.0205 * (column - 3), y = 0.0205 * (row - 3);
-        tr_world_set_disk(w, i, x, y, 0, 0.006 + 0.004 * tr_random_uniform(&r), 1000, false);
+        tr_world_set_disk(w, i, &(tr_disk_start){x, y, 0, 0.006 + 0.004 * tr_random_uniform(&r), 1000, false});
         v[0] = -10 * x - 5 * y + 0.2 * tr_random_uniform(&r), v[1] = -10 * y + 5 * x + 0.2 * tr_random_uniform(&r);
         v[2] = 40 * (tr_random_uniform(&r) - 0.3);
     }
@@ -77,15 +78,20 @@ bool tr_exact_collision(tr_verify *v, tr_status *st) {
     char said[80];
     if (!collide(1, &b[0], st) || !tr_verify_go_on(v, st) || !collide(2, &b[1], st)) return false;
     for (int k = 0; k < 3; k++)
-        if (!tr_exact_row(v, quantity[k], "1", b[1].momentum[k], 0, 1e-16 * b[1].steps, NAN, "a rounding a step", st))
+        if (!tr_verify_add(v,
+                           &(tr_verify_row){quantity[k], "1", 0, b[1].momentum[k], 1e-16 * b[1].steps,
+                                            "a rounding a step", NAN, NULL},
+                           st))
             return false;
     double residual[] = {b[0].energy.residual / b[0].start, b[1].energy.residual / b[1].start};
     const tr_energy *e = &b[1].energy;
     snprintf(said, sizeof said, "%.2g, %.2g, %.2g of the energy", e->damped / b[1].start, e->friction / b[1].start,
              e->rolling / b[1].start);
-    return tr_exact_row(v, "energy that the ledger misses", "1", residual[1], 0, 2e-3,
-                        log2(fabs(residual[0] / residual[1])), "first order: contacts begin and end within a step",
-                        st) &&
+    return tr_verify_add(v,
+                         &(tr_verify_row){"energy that the ledger misses", "1", 0, residual[1], 2e-3,
+                                          "first order: contacts begin and end within a step",
+                                          log2(fabs(residual[0] / residual[1])), NULL},
+                         st) &&
            tr_verify_outcome(v, "damped, friction, rolling take", said,
                              e->damped > 0.01 * b[1].start && e->friction > 0.01 * b[1].start && e->rolling > 0, st);
 }
@@ -113,10 +119,14 @@ bool tr_exact_packing(tr_verify *v, tr_status *st) {
     tr_energy e = {0};
     tr_scene scene;
     tr_biaxial b;
-    if (!tr_scene_read(&scene, "packing", text, strlen(text), NULL, 0, tr_laws_catalog(), st)) return false;
+    if (!tr_scene_read(&scene, &(tr_scene_source){"packing", text, strlen(text), NULL, 0}, tr_laws_catalog(), st))
+        return false;
     bool ok = tr_biaxial_init(&b, &scene, st);
     if (ok) ok = shear(&b, &e, st), tr_biaxial_free(&b);
     tr_scene_free(&scene);
-    return ok && tr_exact_row(v, "missed, of the work of the walls", "1", e.residual / e.work, 0, 1e-3, NAN,
-                              "contacts begin and end within a step, 0.1 % of the work here", st);
+    return ok &&
+           tr_verify_add(v,
+                         &(tr_verify_row){"missed, of the work of the walls", "1", 0, e.residual / e.work, 1e-3,
+                                          "contacts begin and end within a step, 0.1 % of the work here", NAN, NULL},
+                         st);
 }

@@ -38,7 +38,9 @@ static bool gas_begin(gas *g, tr_status *st) {
     tr_random r = tr_random_seed(4, 1);
     if (!tr_world_init(w, GAS, TR_SHAPE_DISK, st)) return false;
     for (int i = 0; i < GAS; i++) {
-        tr_world_set_disk(w, i, SIDE[0] * tr_random_uniform(&r), SIDE[1] * tr_random_uniform(&r), 0, 1e-3, 1000, false);
+        tr_world_set_disk(
+            w, i,
+            &(tr_disk_start){SIDE[0] * tr_random_uniform(&r), SIDE[1] * tr_random_uniform(&r), 0, 1e-3, 1000, false});
         for (int k = 0; k < 2; k++) {
             double c = w->disks.vel[tr_body(i) + k] = tr_random_uniform(&r) - (k ? 0.7 : 0.2);
             g->x0[i][k] = w->disks.pos[tr_body(i) + k], g->c0[i][k] = c, g->K0[k] += 0.5 * w->disks.mass[i] * c * c;
@@ -77,10 +79,19 @@ static bool gas_rows(tr_verify *v, const gas *g, tr_status *st) {
     }
     static const char sums[] = "rounding of 4000 sums";
     tr_energy e = tr_ledger_read(w);
-    return tr_exact_row(v, "gas: place, off x0 + v t and whole sides, largest", "1", place, 0, 1e-11, NAN, sums, st) &&
-           tr_exact_row(v, "gas: change of c L, largest, over L", "m/s", against, 0, 1e-10, NAN, sums, st) &&
-           tr_exact_row(v, "gas: kinetic energy against the flow", "N", e.kinetic, K, 1e-11 * K, NAN, sums, st) &&
-           tr_exact_row(v, "gas: work of the cell", "N", e.work, K - K0, 1e-11 * K, NAN, sums, st);
+    return tr_verify_add(v,
+                         &(tr_verify_row){"gas: place, off x0 + v t and whole sides, largest", "1", 0, place, 1e-11,
+                                          sums, NAN, NULL},
+                         st) &&
+           tr_verify_add(
+               v, &(tr_verify_row){"gas: change of c L, largest, over L", "m/s", 0, against, 1e-10, sums, NAN, NULL},
+               st) &&
+           tr_verify_add(
+               v,
+               &(tr_verify_row){"gas: kinetic energy against the flow", "N", K, e.kinetic, 1e-11 * K, sums, NAN, NULL},
+               st) &&
+           tr_verify_add(v, &(tr_verify_row){"gas: work of the cell", "N", K - K0, e.work, 1e-11 * K, sums, NAN, NULL},
+                         st);
 }
 
 /* ---- a lattice in a homogeneous flow */
@@ -94,7 +105,7 @@ static bool lattice_begin(tr_world *w, tr_status *st) {
     w->cell.side[0] = ROW * D0, w->cell.side[1] = ROW * rise;
     for (int i = 0; i < ROW * ROW; i++) {
         int row = i / ROW;
-        tr_world_set_disk(w, i, (i % ROW + (row % 2 ? 0.5 : 0)) * D0, row * rise, 0, 1, 1000, false);
+        tr_world_set_disk(w, i, &(tr_disk_start){(i % ROW + (row % 2 ? 0.5 : 0)) * D0, row * rise, 0, 1, 1000, false});
     }
     bool ok = tr_exact_laws(w, "k_n: 1e9, damping_ratio: 0.2, friction: none, rolling: none", 0, st);
     if (ok) w->dt = 0.2 * tr_timestep_worst(w);
@@ -115,8 +126,10 @@ static void lattice_stress(const double F[2], const double D[2], double stress[2
 
 static bool lattice_row(tr_verify *v, const tr_world *w, const char *quantity, int axis, double want, tr_status *st) {
     double got = tr_cell_force(&w->cell, axis) / w->cell.side[1 - axis];
-    return tr_exact_row(v, quantity, "Pa", got, want, 1e-9 * fabs(want), NAN,
-                        "an overlap of 1 % of lengths that are rounded 200 times", st);
+    return tr_verify_add(v,
+                         &(tr_verify_row){quantity, "Pa", want, got, 1e-9 * fabs(want),
+                                          "an overlap of 1 % of lengths that are rounded 200 times", NAN, NULL},
+                         st);
 }
 
 static bool lattice_rows(tr_verify *v, tr_world *w, tr_status *st) {
@@ -186,14 +199,20 @@ bool tr_exact_drag(tr_verify *v, tr_status *st) {
     double off = 0, left = 0, want = 0;
     tr_scene scene;
     tr_biaxial b;
-    if (!tr_scene_read(&scene, "drag", text, strlen(text), NULL, 0, tr_laws_catalog(), st)) return false;
+    if (!tr_scene_read(&scene, &(tr_scene_source){"drag", text, strlen(text), NULL, 0}, tr_laws_catalog(), st))
+        return false;
     bool ok = tr_biaxial_init(&b, &scene, st);
     if (ok) ok = drag(&b, &off, &left, &want, st), tr_biaxial_free(&b);
     tr_scene_free(&scene);
     return ok &&
-           tr_exact_row(v, "way of disks that follow the cell, over its side", "1", off, 0, 1e-13, NAN, reason, st) &&
-           tr_exact_row(v, "velocity against the flow, times L, over the first", "1", left, want, 1e-12, NAN, reason,
-                        st);
+           tr_verify_add(v,
+                         &(tr_verify_row){"way of disks that follow the cell, over its side", "1", 0, off, 1e-13,
+                                          reason, NAN, NULL},
+                         st) &&
+           tr_verify_add(v,
+                         &(tr_verify_row){"velocity against the flow, times L, over the first", "1", want, left, 1e-12,
+                                          reason, NAN, NULL},
+                         st);
 }
 
 /* ---- what the servo holds */
@@ -222,12 +241,17 @@ bool tr_exact_hold(tr_verify *v, tr_status *st) {
         double stress[2] = {0};
         tr_scene scene;
         tr_biaxial b;
-        if (!tr_scene_read(&scene, "hold", text[k], strlen(text[k]), NULL, 0, tr_laws_catalog(), st)) return false;
+        if (!tr_scene_read(&scene, &(tr_scene_source){"hold", text[k], strlen(text[k]), NULL, 0}, tr_laws_catalog(),
+                           st))
+            return false;
         ok = tr_biaxial_init(&b, &scene, st);
         if (ok) ok = held(&b, &stress[0], &stress[1], st), tr_biaxial_free(&b);
         tr_scene_free(&scene);
-        ok = ok && tr_exact_row(v, quantity[k], "Pa", stress[k], 160e3, 0.01 * 160e3, NAN,
-                                "mean of 3 % of strain: a piston that swings about what it holds", st);
+        ok = ok && tr_verify_add(v,
+                                 &(tr_verify_row){quantity[k], "Pa", 160e3, stress[k], 0.01 * 160e3,
+                                                  "mean of 3 % of strain: a piston that swings about what it holds",
+                                                  NAN, NULL},
+                                 st);
     }
     return ok;
 }

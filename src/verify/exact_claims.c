@@ -144,7 +144,9 @@ static bool claim(tr_verify *v, bench *x, unsigned flag, const char *name, viola
             if (!tr_verify_go_on(v, st)) return false;
         }
     snprintf(quantity, sizeof quantity, "largest violation, %d laws %s", claimed, name);
-    if (!tr_exact_row(v, quantity, "1", most, 0, 1e-9, NAN, "rounding, relative to the forces or works", st))
+    if (!tr_verify_add(
+            v, &(tr_verify_row){quantity, "1", 0, most, 1e-9, "rounding, relative to the forces or works", NAN, NULL},
+            st))
         return false;
     snprintf(quantity, sizeof quantity, "the others are not %s", name);
     snprintf(said, sizeof said, "shown by %d of %d (violation above 1e-4)", seen, denied);
@@ -188,7 +190,9 @@ bool tr_exact_cycle(tr_verify *v, tr_status *st) {
         }
         char quantity[80];
         snprintf(quantity, sizeof quantity, "%s", cycles[k].quantity);
-        ok = tr_exact_row(v, quantity, "1", got, cycles[k].made, 1e-9, NAN, "rounding of works that cancel", st);
+        ok = tr_verify_add(
+            v, &(tr_verify_row){quantity, "1", cycles[k].made, got, 1e-9, "rounding of works that cancel", NAN, NULL},
+            st);
     }
     free(p);
     return ok;

@@ -27,10 +27,15 @@ bool tr_exact_contact_size(tr_verify *v, tr_status *st) {
     char said[80];
     if (!size(10e3, &a, &zeta, st) || !size(101325, &a_atm, &zeta_atm, st)) return false;
     snprintf(said, sizeof said, "%.4f: the contacts of 10 kPa, pressed harder", a_atm);
-    return tr_exact_row(v, "a/R of quartz at 10 kPa (Table 2)", "1", a, 0.0073, 0.0015, NAN,
-                        "spheres of equal size for 0.4 to 1.5 of the median", st) &&
-           tr_exact_row(v, "indentation over (a/R)^2 (Table 2: 0.0054 %)", "1", zeta / (a * a),
-                        0.0054e-2 / (0.0073 * 0.0073), 0.02, NAN, "the table has two digits", st) &&
+    return tr_verify_add(v,
+                         &(tr_verify_row){"a/R of quartz at 10 kPa (Table 2)", "1", 0.0073, a, 0.0015,
+                                          "spheres of equal size for 0.4 to 1.5 of the median", NAN, NULL},
+                         st) &&
+           tr_verify_add(v,
+                         &(tr_verify_row){"indentation over (a/R)^2 (Table 2: 0.0054 %)", "1",
+                                          0.0054e-2 / (0.0073 * 0.0073), zeta / (a * a), 0.02,
+                                          "the table has two digits", NAN, NULL},
+                         st) &&
            tr_verify_outcome(v, "a/R of quartz at 1 atm is below 2 %", said, a_atm < 0.02, st);
 }
 
@@ -55,7 +60,8 @@ bool tr_exact_fig_5(tr_verify *v, tr_status *st) {
         char quantity[80];
         snprintf(quantity, sizeof quantity, "steady q at 1/xi = %g (Fig. 5)", inverse[k]);
         if (!steady(inverse[k], &q, st) ||
-            !tr_exact_row(v, quantity, "1", q, want[k], 5e-5, NAN, "four digits are given", st))
+            !tr_verify_add(v, &(tr_verify_row){quantity, "1", want[k], q, 5e-5, "four digits are given", NAN, NULL},
+                           st))
             return false;
     }
     while (high - low > 0.01) {
@@ -63,7 +69,9 @@ bool tr_exact_fig_5(tr_verify *v, tr_status *st) {
         if (!steady(middle, &q, st)) return false;
         *(q < 1 ? &high : &low) = middle;
     }
-    return tr_exact_row(v, "full friction up to 1/xi (printed: above 10 it falls)", "1", low,
-                        0.85 * 3.832 / (8 * 0.5 * 0.01), 0.1, NAN,
-                        "bisection to 0.01; below full friction by y^3, seen from y = 1e-5", st);
+    return tr_verify_add(
+        v,
+        &(tr_verify_row){"full friction up to 1/xi (printed: above 10 it falls)", "1", 0.85 * 3.832 / (8 * 0.5 * 0.01),
+                         low, 0.1, "bisection to 0.01; below full friction by y^3, seen from y = 1e-5", NAN, NULL},
+        st);
 }

@@ -113,18 +113,26 @@ bool tr_exact_patch_loads(tr_verify *v, tr_status *st) {
     double off;
     for (int k = 0; k < 2; k++)
         if (!tr_verify_go_on(v, st) || !oblique(50 << k, &w[k], st)) return false;
-    if (!tr_exact_row(v, "oblique: traction, mean error", "1", w[1].tau, 0, 0.01, log2(w[0].tau / w[1].tau), reason,
-                      st) ||
-        !tr_exact_row(v, "oblique: sliding, relative error", "1", w[1].du, 0, 0.01, log2(w[0].du / w[1].du), reason,
-                      st))
+    if (!tr_verify_add(v,
+                       &(tr_verify_row){"oblique: traction, mean error", "1", 0, w[1].tau, 0.01, reason,
+                                        log2(w[0].tau / w[1].tau), NULL},
+                       st) ||
+        !tr_verify_add(v,
+                       &(tr_verify_row){"oblique: sliding, relative error", "1", 0, w[1].du, 0.01, reason,
+                                        log2(w[0].du / w[1].du), NULL},
+                       st))
         return false;
     for (int k = 0; k < 2; k++)
         if (!tr_verify_go_on(v, st) || !released(50 << k, &w[k], st)) return false;
-    return tr_exact_row(v, "P falls: traction, mean error", "1", w[1].tau, 0, 0.01, NAN, reason, st) &&
-           tr_exact_row(v, "P falls: sliding, relative error", "1", w[1].du, 0, 0.01, NAN, reason, st) &&
+    return tr_verify_add(
+               v, &(tr_verify_row){"P falls: traction, mean error", "1", 0, w[1].tau, 0.01, reason, NAN, NULL}, st) &&
+           tr_verify_add(
+               v, &(tr_verify_row){"P falls: sliding, relative error", "1", 0, w[1].du, 0.01, reason, NAN, NULL}, st) &&
            held(&off, st) &&
-           tr_exact_row(v, "rolled, then P grows by 1e-6: traction changes by", "1", off, 0, 1e-4, NAN,
-                        "1e-6 times the number of elements", st);
+           tr_verify_add(v,
+                         &(tr_verify_row){"rolled, then P grows by 1e-6: traction changes by", "1", 0, off, 1e-4,
+                                          "1e-6 times the number of elements", NAN, NULL},
+                         st);
 }
 
 /* ---- Carter, rolling the other way */
@@ -150,9 +158,18 @@ static bool reversed_forms(tr_verify *v, double q, tr_status *st) {
     tr_carter_stick(&pair, P, q, -2, zone);
     double off = fmax(fabs(zone[0] / a - (1 - 2 * sqrt(1 - q))), fabs(zone[1] / a - 1));
     static const char rounding[] = "rounding, under a root";
-    return tr_exact_row(v, "closed form reversed: traction, largest error", "1", tau, 0, 1e-12, NAN, rounding, st) &&
-           tr_exact_row(v, "closed form reversed: slip, largest error", "1", slip, 0, 1e-7, NAN, rounding, st) &&
-           tr_exact_row(v, "closed form reversed: ends of stick, over a", "1", off, 0, 1e-12, NAN, "rounding", st);
+    return tr_verify_add(v,
+                         &(tr_verify_row){"closed form reversed: traction, largest error", "1", 0, tau, 1e-12, rounding,
+                                          NAN, NULL},
+                         st) &&
+           tr_verify_add(
+               v,
+               &(tr_verify_row){"closed form reversed: slip, largest error", "1", 0, slip, 1e-7, rounding, NAN, NULL},
+               st) &&
+           tr_verify_add(v,
+                         &(tr_verify_row){"closed form reversed: ends of stick, over a", "1", 0, off, 1e-12, "rounding",
+                                          NAN, NULL},
+                         st);
 }
 
 bool tr_exact_patch_reversed(tr_verify *v, tr_status *st) {
@@ -171,9 +188,11 @@ bool tr_exact_patch_reversed(tr_verify *v, tr_status *st) {
     }
     if (ok) Q = s->Q / (pair.mu * P);
     tr_half_plane_free(o);
-    return ok && tr_exact_row(v, "rolling along -x: Q/(mu P)", "1", Q, q, 6e-3, NAN, reason, st) &&
-           tr_exact_row(v, "its traction, mean error", "1", tau, 0, 6e-3, NAN, reason, st) &&
-           tr_exact_row(v, "its slip, mean error", "1", slip, 0, 1e-2, NAN, reason, st) && reversed_forms(v, q, st);
+    return ok &&
+           tr_verify_add(v, &(tr_verify_row){"rolling along -x: Q/(mu P)", "1", q, Q, 6e-3, reason, NAN, NULL}, st) &&
+           tr_verify_add(v, &(tr_verify_row){"its traction, mean error", "1", 0, tau, 6e-3, reason, NAN, NULL}, st) &&
+           tr_verify_add(v, &(tr_verify_row){"its slip, mean error", "1", 0, slip, 1e-2, reason, NAN, NULL}, st) &&
+           reversed_forms(v, q, st);
 }
 
 /* ---- how far Cattaneo's contact slips */
@@ -204,9 +223,15 @@ bool tr_exact_patch_slip(tr_verify *v, tr_status *st) {
         snprintf(quantity[0], 80, "closed form, largest error over slip at edge, q = %g", q);
         snprintf(quantity[1], 80, "half-plane, largest error over slip at edge, q = %g", q);
         if (!ok ||
-            !tr_exact_row(v, quantity[0], "1", most / edge, 0, 1e-7, NAN, "20000 middles of pieces: 1/20000^2", st) ||
-            !tr_exact_row(v, quantity[1], "1", numbers / edge, 0, 0.02, NAN,
-                          "stick ends up to an element off, its pressure is a mean over it, N = 200", st))
+            !tr_verify_add(v,
+                           &(tr_verify_row){quantity[0], "1", 0, most / edge, 1e-7,
+                                            "20000 middles of pieces: 1/20000^2", NAN, NULL},
+                           st) ||
+            !tr_verify_add(v,
+                           &(tr_verify_row){quantity[1], "1", 0, numbers / edge, 0.02,
+                                            "stick ends up to an element off, its pressure is a mean over it, N = 200",
+                                            NAN, NULL},
+                           st))
             return false;
     }
     return true;

@@ -50,8 +50,11 @@ static bool rows_of(tr_verify *v, const tr_motion_measures *m, const tr_velocity
         char quantity[80];
         if (!(row[k].claims & TR_DEFINES_OBJECTIVE)) continue;
         snprintf(quantity, sizeof quantity, "change of %s", row[k].column);
-        ok = tr_exact_row(v, quantity, row[k].claims & TR_DEFINES_ANGLE ? "rad/s" : "m/s", change(m, row[k].column), 0,
-                          1e-12, NAN, "rounding of velocities of 100 m/s", st);
+        ok = tr_verify_add(v,
+                           &(tr_verify_row){quantity, row[k].claims & TR_DEFINES_ANGLE ? "rad/s" : "m/s", 0,
+                                            change(m, row[k].column), 1e-12, "rounding of velocities of 100 m/s", NAN,
+                                            NULL},
+                           st);
     }
     return ok;
 }
@@ -70,8 +73,11 @@ bool tr_exact_observers(tr_verify *v, tr_status *st) {
     bool ok = m && motion && tr_measures_motions(motion, 3 * MOTIONS, m, st);
     ok = ok && rows_of(v, m, tr_rolling_velocities, tr_n_rolling_measures, st) &&
          rows_of(v, m, tr_sliding_velocities, tr_n_sliding_measures, st);
-    ok = ok && tr_exact_row_and(v, "change of Vs_full_radii", "m/s", change(m, "Vs_full_radii"), slides, 1e-12 * slides,
-                                "rounding", "(not objective: slides by overlap times spin)", st);
+    ok = ok && tr_verify_add(v,
+                             &(tr_verify_row){"change of Vs_full_radii", "m/s", slides, change(m, "Vs_full_radii"),
+                                              1e-12 * slides, "rounding", NAN,
+                                              "(not objective: slides by overlap times spin)"},
+                             st);
     free(m), free(motion);
     return ok;
 }
@@ -89,12 +95,20 @@ static bool rotation(tr_verify *v, tr_status *st) {
     snprintf(printed[1], 80, "(with R1 + R2 for |X21|: %.4g)", 0.5 * (R1 - R2) * w * lap / (R1 + R2));
     snprintf(printed[2], 80, "(with arms R1, R2: %.4g)", R1 * w + R2 * w - w * (R1 + R2 - lap));
     return tr_measures_motions(motion, 2, m, st) &&
-           tr_exact_row_and(v, "Wang eq. 16, rigid rotation rolls with", "m/s",
-                            tr_measures_of_column(&m[0], "Vr_bagi_kuhn"), 0, 1e-15, "rounding", printed[0], st) &&
-           tr_exact_row_and(v, "Wang eq. 16, the same with overlap", "m/s",
-                            tr_measures_of_column(&m[1], "Vr_bagi_kuhn"), 0, 1e-15, "rounding", printed[1], st) &&
-           tr_exact_row_and(v, "Wang eq. 12, with overlap slides with", "m/s", tr_measures_of_column(&m[1], "Vs_wang"),
-                            0, 1e-15, "rounding", printed[2], st);
+           tr_verify_add(v,
+                         &(tr_verify_row){"Wang eq. 16, rigid rotation rolls with", "m/s", 0,
+                                          tr_measures_of_column(&m[0], "Vr_bagi_kuhn"), 1e-15, "rounding", NAN,
+                                          printed[0]},
+                         st) &&
+           tr_verify_add(v,
+                         &(tr_verify_row){"Wang eq. 16, the same with overlap", "m/s", 0,
+                                          tr_measures_of_column(&m[1], "Vr_bagi_kuhn"), 1e-15, "rounding", NAN,
+                                          printed[1]},
+                         st) &&
+           tr_verify_add(v,
+                         &(tr_verify_row){"Wang eq. 12, with overlap slides with", "m/s", 0,
+                                          tr_measures_of_column(&m[1], "Vs_wang"), 1e-15, "rounding", NAN, printed[2]},
+                         st);
 }
 
 #define PAIR "kind: contact\nbodies: {R1: 10 mm, R2: 30 mm, E: 70 GPa, nu: 0.3}\n"
@@ -111,8 +125,10 @@ static bool unsigned_creep(tr_verify *v, tr_status *st) {
     double right = 0.3 * pair.E_star * 0.3 * end[0].a / pair.R_star * (1 - sqrt(0.5)) * 1e-6 * end[0].a;
     char printed[80];
     snprintf(printed, sizeof printed, "(as printed, without sgn(Q): %.4g)", -right);
-    return tr_exact_row_and(v, "Kuhn eq. 11, dQ while rolling, Q < 0", "N/m", end[1].Q - end[0].Q, right, 1e-5 * right,
-                            "the step: 1e-6 a; Q rounds at 1e-9 of dQ", printed, st);
+    return tr_verify_add(v,
+                         &(tr_verify_row){"Kuhn eq. 11, dQ while rolling, Q < 0", "N/m", right, end[1].Q - end[0].Q,
+                                          1e-5 * right, "the step: 1e-6 a; Q rounds at 1e-9 of dQ", NAN, printed},
+                         st);
 }
 
 static bool star(tr_verify *v, tr_status *st) {
@@ -128,7 +144,9 @@ static bool star(tr_verify *v, tr_status *st) {
         snprintf(printed, sizeof printed, k ? "(R_eq in common use, half: %g)" : "(as printed, without the minus: %g)",
                  k ? right / 2 : -right);
         if (!tr_exact_path(full, end, 1, NULL, st) ||
-            !tr_exact_row_and(v, quantity[k], "N", end[0].moment_1, right, 1e-12 * right, "rounding", printed, st))
+            !tr_verify_add(
+                v, &(tr_verify_row){quantity[k], "N", right, end[0].moment_1, 1e-12 * right, "rounding", NAN, printed},
+                st))
             return false;
     }
     return true;

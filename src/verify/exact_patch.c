@@ -50,11 +50,15 @@ bool tr_exact_patch_cattaneo(tr_verify *v, tr_status *st) {
             if (m < 2) continue;
             double want = tr_cattaneo_u(&pair, P, q[k]);
             snprintf(quantity, sizeof quantity, "traction, largest error, q = %g", q[k]);
-            ok = tr_exact_row(v, quantity, "1", off_cattaneo(tr_half_plane_state(o), q[k]), 0, 1e-3, NAN,
-                              "asked: 1e-3 mu p0 at N = 200", st);
+            ok = tr_verify_add(v,
+                               &(tr_verify_row){quantity, "1", 0, off_cattaneo(tr_half_plane_state(o), q[k]), 1e-3,
+                                                "asked: 1e-3 mu p0 at N = 200", NAN, NULL},
+                               st);
             snprintf(quantity, sizeof quantity, "sliding, q = %g", q[k]);
-            ok = ok && tr_exact_row(v, quantity, "m", u[2][k], want, 1e-4 * want, NAN,
-                                    "(1/200)^1.5, times where in an element stick ends", st);
+            ok = ok && tr_verify_add(v,
+                                     &(tr_verify_row){quantity, "m", want, u[2][k], 1e-4 * want,
+                                                      "(1/200)^1.5, times where in an element stick ends", NAN, NULL},
+                                     st);
         }
         tr_half_plane_free(o);
         if (!ok) return false;
@@ -62,8 +66,10 @@ bool tr_exact_patch_cattaneo(tr_verify *v, tr_status *st) {
     double error[2] = {0};
     for (int m = 0; m < 2; m++)
         for (int k = 0; k < 3; k++) error[m] += fabs(u[2 * m][k] / tr_cattaneo_u(&pair, P, q[k]) - 1) / 3;
-    return tr_exact_row(v, "sliding, mean relative error", "1", error[1], 0, 1e-4, log2(error[0] / error[1]) / 2,
-                        "(1/200)^1.5", st);
+    return tr_verify_add(v,
+                         &(tr_verify_row){"sliding, mean relative error", "1", 0, error[1], 1e-4, "(1/200)^1.5",
+                                          log2(error[0] / error[1]) / 2, NULL},
+                         st);
 }
 
 /* Rolled at Carter's creepage by 12 times 2a: Q/(mu P), and the mean error of the traction, over mu p0. */
@@ -87,12 +93,18 @@ bool tr_exact_patch_carter(tr_verify *v, tr_status *st) {
         snprintf(quantity, sizeof quantity, "steady Q/(mu P) at the creepage of %g", q[k]);
         if (!tr_verify_go_on(v, st) || !rolled(50, q[k], &q_n[0], &off[0], st) ||
             !rolled(100, q[k], &q_n[1], &off[1], st) ||
-            !tr_exact_row(v, quantity, "1", q_n[1], q[k], 6e-3, log2((q_n[0] - q[k]) / (q_n[1] - q[k])),
-                          "first order: stick ends up to an element off, N = 100", st))
+            !tr_verify_add(v,
+                           &(tr_verify_row){quantity, "1", q[k], q_n[1], 6e-3,
+                                            "first order: stick ends up to an element off, N = 100",
+                                            log2((q_n[0] - q[k]) / (q_n[1] - q[k])), NULL},
+                           st))
             return false;
         snprintf(quantity, sizeof quantity, "its traction, mean error, q = %g", q[k]);
-        if (!tr_exact_row(v, quantity, "1", off[1], 0, 6e-3, log2(off[0] / off[1]),
-                          "first order: stick ends up to an element off, N = 100", st))
+        if (!tr_verify_add(v,
+                           &(tr_verify_row){quantity, "1", 0, off[1], 6e-3,
+                                            "first order: stick ends up to an element off, N = 100",
+                                            log2(off[0] / off[1]), NULL},
+                           st))
             return false;
     }
     return true;
@@ -125,8 +137,11 @@ bool tr_exact_patch_kalker(tr_verify *v, tr_status *st) {
         if (!tr_verify_go_on(v, st) || !distance(q[k], &left, st)) return false;
         snprintf(quantity, sizeof quantity, "left of the way at 2a, q = %g%s", q[k], k < 2 ? "" : ", below 0.3 %");
         snprintf(said, sizeof said, "%.3f %%", 100 * left);
-        if (k < 2 ? !tr_exact_row(v, quantity, "1", left, want[k], 0.005, NAN, "the digits that are known", st)
-                  : !tr_verify_outcome(v, quantity, said, left < 0.003, st))
+        if (k < 2
+                ? !tr_verify_add(
+                      v, &(tr_verify_row){quantity, "1", want[k], left, 0.005, "the digits that are known", NAN, NULL},
+                      st)
+                : !tr_verify_outcome(v, quantity, said, left < 0.003, st))
             return false;
     }
     return true;
@@ -158,7 +173,10 @@ bool tr_exact_patch_brush(tr_verify *v, tr_status *st) {
         if (!ok) return false;
         char quantity[80];
         snprintf(quantity, sizeof quantity, "brush, Q/(mu P), creepage %g F0, roll %g a", ratio[c / 2], length[c % 2]);
-        if (!tr_exact_row(v, quantity, "1", got, want, 1e-4, NAN, "(1/400)^2 at the kinks of tau and at the edges", st))
+        if (!tr_verify_add(v,
+                           &(tr_verify_row){quantity, "1", want, got, 1e-4,
+                                            "(1/400)^2 at the kinks of tau and at the edges", NAN, NULL},
+                           st))
             return false;
     }
     return true;

@@ -86,22 +86,37 @@ bool tr_exact_dahlberg(tr_verify *v, tr_status *st) {
     double back = against(q1, 0.7, 2 * tau), error[2];
     bool ok =
         follow(rollers, law, reversed, 3, end, NULL, st) &&
-        tr_exact_row(v, "q, creepage 0.5 F0 from rest", "1", end[0].Q / full, q1, 1e-12, NAN, rounding, st) &&
-        tr_exact_row(v, "q, turned back at 0.7 F0", "1", end[1].Q / full, back, 1e-12, NAN, rounding, st) &&
-        tr_exact_row(v, "q, rolling alone", "1", end[2].Q / full, -relaxed(-back, tau / 2), 1e-12, NAN, rounding, st);
-    ok = ok && follow(rollers, law, &fast, 1, end, NULL, st) &&
-         tr_exact_row(v, "q, creepage 1.5 F0 from rest", "1", end[0].Q / full, transient(0.5, tau / 3, 2), 1e-12, NAN,
-                      rounding, st) &&
-         follow(rollers, law, &forever, 1, end, NULL, st) &&
-         tr_exact_row(v, "steady q at 0.5 F0: Carter", "1", end[0].Q / full, steady, 1e-12, NAN, rounding, st);
+        tr_verify_add(
+            v, &(tr_verify_row){"q, creepage 0.5 F0 from rest", "1", q1, end[0].Q / full, 1e-12, rounding, NAN, NULL},
+            st) &&
+        tr_verify_add(
+            v, &(tr_verify_row){"q, turned back at 0.7 F0", "1", back, end[1].Q / full, 1e-12, rounding, NAN, NULL},
+            st) &&
+        tr_verify_add(v,
+                      &(tr_verify_row){"q, rolling alone", "1", -relaxed(-back, tau / 2), end[2].Q / full, 1e-12,
+                                       rounding, NAN, NULL},
+                      st);
+    ok =
+        ok && follow(rollers, law, &fast, 1, end, NULL, st) &&
+        tr_verify_add(v,
+                      &(tr_verify_row){"q, creepage 1.5 F0 from rest", "1", transient(0.5, tau / 3, 2), end[0].Q / full,
+                                       1e-12, rounding, NAN, NULL},
+                      st) &&
+        follow(rollers, law, &forever, 1, end, NULL, st) &&
+        tr_verify_add(
+            v, &(tr_verify_row){"steady q at 0.5 F0: Carter", "1", steady, end[0].Q / full, 1e-12, rounding, NAN, NULL},
+            st);
     for (int h = 0; ok && h < 2; h++) {
         leg stepped[] = {reversed[0], reversed[1]};
         stepped[0].steps = stepped[1].steps = 200 << h;
         ok = follow(rollers, euler, stepped, 2, end, NULL, st);
         error[h] = end[1].Q / full - back;
     }
-    return ok && tr_exact_row(v, "q, turned back, backward Euler", "1", end[1].Q / full, back, 0.01,
-                              log2(error[0] / error[1]), "first order: 400 steps of 1 % of the transient", st);
+    return ok && tr_verify_add(v,
+                               &(tr_verify_row){"q, turned back, backward Euler", "1", back, end[1].Q / full, 0.01,
+                                                "first order: 400 steps of 1 % of the transient",
+                                                log2(error[0] / error[1]), NULL},
+                               st);
 }
 
 /* ---- cattaneo-mindlin */
@@ -125,15 +140,18 @@ bool tr_exact_cattaneo(tr_verify *v, tr_status *st) {
     for (int k = 0; k < 5; k++) legs[k] = (leg){u[k] - (k ? u[k - 1] : 0), 0, 5};
     bool ok = follow(rollers, "cattaneo-mindlin", legs, 5, end, NULL, st);
     for (int k = 0; ok && k < 5; k++)
-        ok = tr_exact_row(v, quantity[k], "1", end[k].Q / (MU * FORCE), q[k], 1e-9, NAN, reason, st);
+        ok = tr_verify_add(
+            v, &(tr_verify_row){quantity[k], "1", q[k], end[k].Q / (MU * FORCE), 1e-9, reason, NAN, NULL}, st);
     /* spheres: u = 3 (2 - nu) mu P/(8 G a) (1 - (1 - q)^(2/3)), G = (1 - nu) E_star [Johnson1985 sec. 7.2] */
     double sphere = 0.6, G;
     ok = ok && follow(balls, "cattaneo-mindlin, nu: 0.15", &(leg){0, 0, 1}, 1, end, &pair, st);
     G = 0.85 * pair.E_star;
     leg slide = {3 * 1.85 * MU * FORCE / (8 * G * end[0].a) * (1 - cbrt((1 - sphere) * (1 - sphere))), 0, 5};
     return ok && follow(balls, "cattaneo-mindlin, nu: 0.15", &slide, 1, end, NULL, st) &&
-           tr_exact_row(v, "Q/(mu P) loaded, spheres (Mindlin)", "1", end[0].Q / (MU * FORCE), sphere, 1e-9, NAN,
-                        reason, st);
+           tr_verify_add(v,
+                         &(tr_verify_row){"Q/(mu P) loaded, spheres (Mindlin)", "1", sphere, end[0].Q / (MU * FORCE),
+                                          1e-9, reason, NAN, NULL},
+                         st);
 }
 
 /* ---- kuhn-creep, vu-quoc-zhang: spheres */
@@ -153,8 +171,10 @@ bool tr_exact_kuhn_creep(tr_verify *v, tr_status *st) {
             error[h] = fabs(-end[0].Q / (MU * FORCE) - want);
         }
         snprintf(quantity, sizeof quantity, "q from rest, creepage %g F0", ratio[k]);
-        if (!tr_exact_row(v, quantity, "1", -end[0].Q / (MU * FORCE), want, 1e-6, log2(error[0] / error[1]),
-                          "second order: (1/1000)^2", st))
+        if (!tr_verify_add(v,
+                           &(tr_verify_row){quantity, "1", want, -end[0].Q / (MU * FORCE), 1e-6,
+                                            "second order: (1/1000)^2", log2(error[0] / error[1]), NULL},
+                           st))
             return false;
     }
     return true;
@@ -170,9 +190,11 @@ bool tr_exact_vu_quoc(tr_verify *v, tr_status *st) {
         double roll = k ? 100 : 1, u = M_PI / 2 * xi * a * -expm1(-2 / M_PI * roll), y = 1 - u / full;
         leg one = {xi * roll * a, roll * a, 10};
         if (!follow(balls, "vu-quoc-zhang, nu: 0.15, E_star: E_star", &one, 1, end, NULL, st) ||
-            !tr_exact_row(v, k ? "Q/(mu P), steady rolling" : "Q/(mu P) after a roll of a", "1",
-                          end[0].Q / (MU * FORCE), 1 - y * sqrt(y), 1e-9, NAN,
-                          "exact step; the law's pieces keep 1e-12", st))
+            !tr_verify_add(v,
+                           &(tr_verify_row){k ? "Q/(mu P), steady rolling" : "Q/(mu P) after a roll of a", "1",
+                                            1 - y * sqrt(y), end[0].Q / (MU * FORCE), 1e-9,
+                                            "exact step; the law's pieces keep 1e-12", NAN, NULL},
+                           st))
             return false;
     }
     return true;

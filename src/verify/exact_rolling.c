@@ -16,14 +16,17 @@ static bool rows(tr_verify *v, const char *text, const char *const *quantity, do
     enum { MOST = 4 };
     tr_scene scene;
     tr_check_result result[MOST] = {{0}};
-    if (!tr_scene_read(&scene, v->now->name, text, strlen(text), NULL, 0, tr_laws_catalog(), st)) return false;
+    if (!tr_scene_read(&scene, &(tr_scene_source){v->now->name, text, strlen(text), NULL, 0}, tr_laws_catalog(), st))
+        return false;
     bool ok = tr_verify_play(v, &scene, 0, result, st) && tr_verify_go_on(v, st);
     for (int k = 0; ok && k < scene.n_checks && quantity[k]; k++) {
         const tr_scene_check *c = &scene.checks[k];
         char part[TR_BY_SHAPE];
         const char *unit = tr_param_by_shape(tr_whats[c->what].unit, scene.shape, part);
-        ok = tr_exact_row(v, quantity[k], unit, result[k].measured, c->exact, c->tolerance, k == 0 ? order : NAN,
-                          reason, st);
+        ok = tr_verify_add(v,
+                           &(tr_verify_row){quantity[k], unit, c->exact, result[k].measured, c->tolerance, reason,
+                                            k == 0 ? order : NAN, NULL},
+                           st);
     }
     tr_scene_free(&scene);
     return ok;
@@ -53,7 +56,9 @@ bool tr_exact_slip_to_roll(tr_verify *v, tr_status *st) {
         tr_scene scene;
         tr_check_result result[3];
         thrown(text, 1e8 * pow(4, h + 1));
-        if (!tr_scene_read(&scene, v->now->name, text, strlen(text), NULL, 0, tr_laws_catalog(), st)) return false;
+        if (!tr_scene_read(&scene, &(tr_scene_source){v->now->name, text, strlen(text), NULL, 0}, tr_laws_catalog(),
+                           st))
+            return false;
         bool ok = tr_verify_play(v, &scene, 0, result, st);
         if (ok) error[h] = fabs(result[0].measured - scene.checks[0].exact);
         tr_scene_free(&scene);

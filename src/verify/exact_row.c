@@ -7,18 +7,6 @@
 #include <stdio.h>
 #include <string.h>
 
-bool tr_exact_row(tr_verify *v, const char *quantity, const char *unit, double computed, double reference,
-                  double tolerance, double order, const char *reason, tr_status *st) {
-    const tr_verify_row row = {quantity, unit, reference, computed, tolerance, reason, order, NULL};
-    return tr_verify_add(v, &row, st);
-}
-
-bool tr_exact_row_and(tr_verify *v, const char *quantity, const char *unit, double computed, double reference,
-                      double tolerance, const char *reason, const char *outcome, tr_status *st) {
-    const tr_verify_row row = {quantity, unit, reference, computed, tolerance, reason, NAN, outcome};
-    return tr_verify_add(v, &row, st);
-}
-
 const void *tr_exact_find(const tr_verify *v, const char *prefix, const void *rows, size_t n, size_t size,
                           tr_status *st) {
     size_t used = strlen(prefix);
@@ -43,7 +31,8 @@ static bool drive(const tr_scene *scene, tr_contact_state *end, int n, tr_status
 
 bool tr_exact_path(const char *text, tr_contact_state *end, int n, tr_scene_pair *pair, tr_status *st) {
     tr_scene scene;
-    if (!tr_scene_read(&scene, "path", text, strlen(text), NULL, 0, tr_laws_catalog(), st)) return false;
+    if (!tr_scene_read(&scene, &(tr_scene_source){"path", text, strlen(text), NULL, 0}, tr_laws_catalog(), st))
+        return false;
     if (pair) *pair = scene.pair;
     bool ok = drive(&scene, end, n, st);
     tr_scene_free(&scene);
@@ -55,7 +44,8 @@ bool tr_exact_laws(tr_world *world, const char *contact, unsigned sinks, tr_stat
     tr_scene scene;
     snprintf(text, sizeof text,
              "kind: bodies\ntime_end: 1\ncontact: {%s}\ndisks: [{radius: 1, density: 1, x: 0, y: 0}]\n", contact);
-    if (!tr_scene_read(&scene, "laws", text, strlen(text), NULL, 0, tr_laws_catalog(), st)) return false;
+    if (!tr_scene_read(&scene, &(tr_scene_source){"laws", text, strlen(text), NULL, 0}, tr_laws_catalog(), st))
+        return false;
     bool ok = tr_world_set_laws(world, &scene.contact, false, sinks, st);
     tr_scene_free(&scene);
     return ok;

@@ -25,7 +25,8 @@ static bool set(tr_world *w, const tr_blow *b, tr_status *st) {
              b->sphere ? "shape: sphere\n" : "", b->contact, strstr(b->contact, "mu:") ? "" : ", friction: none",
              strstr(b->contact, "rolling:") ? "" : ", rolling: none");
     tr_scene scene; /* reads the laws */
-    if (!tr_scene_read(&scene, "impact", text, strlen(text), NULL, 0, tr_laws_catalog(), st)) return false;
+    if (!tr_scene_read(&scene, &(tr_scene_source){"impact", text, strlen(text), NULL, 0}, tr_laws_catalog(), st))
+        return false;
     bool ok = tr_world_set_laws(w, &scene.contact, false, TR_SINK_LEDGER, st);
     tr_scene_free(&scene);
     return ok;
@@ -40,8 +41,9 @@ bool tr_strike(const tr_blow *b, int n, double phase, tr_rebound *r, tr_status *
     double gap = phase * b->v_n * w.dt, share = b->wall ? 1 : 0.5;
     for (int i = 0; i <= last; i++) {
         double side = i == last ? 1 : -1, *v = w.disks.vel + tr_body(i);
-        tr_world_set_disk(&w, i, b->wall ? TR_BLOW_RADIUS + gap : side * (TR_BLOW_RADIUS + gap / 2), 0, 0,
-                          TR_BLOW_RADIUS, TR_BLOW_DENSITY, false);
+        tr_world_set_disk(&w, i,
+                          &(tr_disk_start){b->wall ? TR_BLOW_RADIUS + gap : side * (TR_BLOW_RADIUS + gap / 2), 0, 0,
+                                           TR_BLOW_RADIUS, TR_BLOW_DENSITY, false});
         v[0] = -side * share * b->v_n, v[1] = -side * share * b->v_s, v[2] = i == last ? b->spin : 0;
     }
     if (b->wall) w.wall[0] = (tr_wall){.nx = 1}, w.n_walls = 1;

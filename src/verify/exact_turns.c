@@ -51,7 +51,10 @@ bool tr_exact_sign_laws(tr_verify *v, tr_status *st) {
     bool ok = p;
     for (int k = 0; k < 2 && ok; k++) {
         tr_pairs_set(p, TR_ROLLING_SLOT, law[k]);
-        ok = tr_exact_row(v, quantity[k], "1", spin_left(p, k), 0, 1e-12, NAN, "rounding of torques that cancel", st);
+        ok = tr_verify_add(
+            v,
+            &(tr_verify_row){quantity[k], "1", 0, spin_left(p, k), 1e-12, "rounding of torques that cancel", NAN, NULL},
+            st);
     }
     free(p);
     return ok;
@@ -96,7 +99,8 @@ static bool limit_row(tr_verify *v, double R2, tr_status *st) {
     const double R1 = 0.01, delta = 1e-5;
     tr_world w;
     bool ok = tr_world_init(&w, 2, TR_SHAPE_DISK, st);
-    for (int i = 0; i < 2 && ok; i++) tr_world_set_disk(&w, i, i * (R1 + R2 - delta), 0, 0, i ? R2 : R1, 1000, false);
+    for (int i = 0; i < 2 && ok; i++)
+        tr_world_set_disk(&w, i, &(tr_disk_start){i * (R1 + R2 - delta), 0, 0, i ? R2 : R1, 1000, false});
     w.dt = 1e-12;
     ok = ok &&
          tr_exact_laws(
@@ -106,8 +110,12 @@ static bool limit_row(tr_verify *v, double R2, tr_status *st) {
     /* The law takes the largest arms, R1 and R2 instead of r1 and r2: delta/L is 3e-4 */
     double want = pair_limit(R1, R2, delta, 4e6, 1e7), got = ok ? tr_timestep_contacts(&w).dt : NAN;
     tr_world_free(&w);
-    return ok && tr_exact_row(v, R2 > R1 ? "limit of the step, R2 = 3 R1" : "limit of the step, R2 = R1/2", "s", got,
-                              want, 1e-3 * want, NAN, "the bound has the radii for the arms: delta/|X21| = 7e-4", st);
+    return ok &&
+           tr_verify_add(v,
+                         &(tr_verify_row){R2 > R1 ? "limit of the step, R2 = 3 R1" : "limit of the step, R2 = R1/2",
+                                          "s", want, got, 1e-3 * want,
+                                          "the bound has the radii for the arms: delta/|X21| = 7e-4", NAN, NULL},
+                         st);
 }
 
 bool tr_exact_conjugate(tr_verify *v, tr_status *st) {
@@ -116,8 +124,10 @@ bool tr_exact_conjugate(tr_verify *v, tr_status *st) {
         tr_pairs_set(p, TR_ROLLING_SLOT, &tr_rolling_conjugate_spring);
         p->rolling_velocity = "bagi-kuhn";
     }
-    bool ok = p && tr_exact_row(v, "power + T V_r, largest, over T V_r", "1", power_off(p), 0, 1e-8, NAN,
-                                "rounding of the normal force that is taken off", st);
+    bool ok = p && tr_verify_add(v,
+                                 &(tr_verify_row){"power + T V_r, largest, over T V_r", "1", 0, power_off(p), 1e-8,
+                                                  "rounding of the normal force that is taken off", NAN, NULL},
+                                 st);
     free(p);
     return ok && limit_row(v, 0.03, st) && limit_row(v, 0.005, st);
 }
@@ -153,8 +163,10 @@ bool tr_exact_rolling_store(tr_verify *v, tr_status *st) {
     for (int k = 0; k < 3 && ok; k++) {
         tr_pairs_set(p, TR_ROLLING_SLOT, law[k]);
         if (k == 1) p->rolling_velocity = "bagi-kuhn";
-        ok = tr_exact_row(v, law[k]->table.name, "1", store_off(p), 0, 1e-11, NAN,
-                          "rounding: the mean of a linear force is exact", st);
+        ok = tr_verify_add(v,
+                           &(tr_verify_row){law[k]->table.name, "1", 0, store_off(p), 1e-11,
+                                            "rounding: the mean of a linear force is exact", NAN, NULL},
+                           st);
     }
     free(p);
     return ok;
@@ -171,7 +183,7 @@ bool tr_exact_rolling_share(tr_verify *v, tr_status *st) {
     tr_measures m = {.rolling_share = NAN};
     bool ok = tr_world_init(&w, 4, TR_SHAPE_DISK, st);
     for (int i = 0; i < 4 && ok; i++) {
-        tr_world_set_disk(&w, i, i % 2 ? R[i - 1] + R[i] - lap : 0, i / 2, 0, R[i], 1000, true);
+        tr_world_set_disk(&w, i, &(tr_disk_start){i % 2 ? R[i - 1] + R[i] - lap : 0, i / 2, 0, R[i], 1000, true});
         w.disks.vel[tr_body(i) + TR_TURN] = spin[i];
     }
     w.dt = 1e-6;
@@ -185,14 +197,26 @@ bool tr_exact_rolling_share(tr_verify *v, tr_status *st) {
     }
     free(records), tr_world_free(&w);
     return ok &&
-           tr_exact_row(v, "|V_r|/(|V_r| + |V_s|) over two contacts", "1", m.rolling_share, rolled / (rolled + slid),
-                        1e-12, NAN, "rounding", st) &&
-           tr_exact_row(v, "share whose rims run against each other, s1 s2 < 0", "1", m.opposed_fraction, 1, 0, NAN,
-                        "all turn the same way", st) &&
-           tr_exact_row(v, "place of a contact, from the first centre", "m", place,
-                        R[0] * (R[0] + R[1] - lap) / (R[0] + R[1]), 1e-16, NAN, "rounding", st) &&
-           tr_exact_row(v, "coordination number", "1", m.coordination, 1, 0, NAN, "one contact each", st) &&
-           tr_exact_row(v, "unbalanced ratio", "1", m.unbalanced, 1, 1e-15, NAN, "the contact is all that pushes", st);
+           tr_verify_add(v,
+                         &(tr_verify_row){"|V_r|/(|V_r| + |V_s|) over two contacts", "1", rolled / (rolled + slid),
+                                          m.rolling_share, 1e-12, "rounding", NAN, NULL},
+                         st) &&
+           tr_verify_add(v,
+                         &(tr_verify_row){"share whose rims run against each other, s1 s2 < 0", "1", 1,
+                                          m.opposed_fraction, 0, "all turn the same way", NAN, NULL},
+                         st) &&
+           tr_verify_add(v,
+                         &(tr_verify_row){"place of a contact, from the first centre", "m",
+                                          R[0] * (R[0] + R[1] - lap) / (R[0] + R[1]), place, 1e-16, "rounding", NAN,
+                                          NULL},
+                         st) &&
+           tr_verify_add(
+               v, &(tr_verify_row){"coordination number", "1", 1, m.coordination, 0, "one contact each", NAN, NULL},
+               st) &&
+           tr_verify_add(v,
+                         &(tr_verify_row){"unbalanced ratio", "1", 1, m.unbalanced, 1e-15,
+                                          "the contact is all that pushes", NAN, NULL},
+                         st);
 }
 
 /* ---- gravity that turns */
@@ -206,7 +230,8 @@ bool tr_exact_turning_gravity(tr_verify *v, tr_status *st) {
     double got[3] = {NAN, NAN};
     tr_scene scene;
     tr_bodies b;
-    if (!tr_scene_read(&scene, "gravity", text, strlen(text), NULL, 0, tr_laws_catalog(), st)) return false;
+    if (!tr_scene_read(&scene, &(tr_scene_source){"gravity", text, strlen(text), NULL, 0}, tr_laws_catalog(), st))
+        return false;
     bool ok = tr_bodies_init(&b, &scene, st);
     if (ok) {
         for (int64_t k = 0; k < b.steps && ok; k++) {
@@ -219,6 +244,8 @@ bool tr_exact_turning_gravity(tr_verify *v, tr_status *st) {
     }
     tr_scene_free(&scene);
     static const char reason[] = "second order: (w dt)^2/12 of g T, 10000 steps";
-    return ok && tr_exact_row(v, "velocity to the right", "m/s", got[0], want[0], 1.4e-7, NAN, reason, st) &&
-           tr_exact_row(v, "velocity upward", "m/s", got[1], want[1], 1.4e-7, NAN, reason, st);
+    return ok &&
+           tr_verify_add(
+               v, &(tr_verify_row){"velocity to the right", "m/s", want[0], got[0], 1.4e-7, reason, NAN, NULL}, st) &&
+           tr_verify_add(v, &(tr_verify_row){"velocity upward", "m/s", want[1], got[1], 1.4e-7, reason, NAN, NULL}, st);
 }

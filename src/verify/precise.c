@@ -48,8 +48,8 @@ static bool read_scenes(bench *b, tr_status *st) {
         const char *sets[] = {set};
         if (c->variants > 1)
             snprintf(set, sizeof set, "%s=%.17g", c->vary, c->from + (c->to - c->from) * i / c->variants);
-        if (!tr_scene_read(&b->scene[i], "case", c->text, strlen(c->text), sets, c->variants > 1, tr_laws_catalog(),
-                           st) ||
+        if (!tr_scene_read(&b->scene[i], &(tr_scene_source){"case", c->text, strlen(c->text), sets, c->variants > 1},
+                           tr_laws_catalog(), st) ||
             (c->reference && !(b->reference[i] = c->reference(&b->scene[i], st))))
             return false;
     }

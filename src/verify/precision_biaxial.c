@@ -68,7 +68,8 @@ static bool test(variant *v, int seed, tr_status *st) {
     double start = tr_sweep_now();
     int n = 0;
     while (n < SETS && v->set[n]) n++;
-    if (!tr_scene_read(&scene, "case", text, strlen(text), v->set, n, tr_laws_catalog(), st)) return false;
+    if (!tr_scene_read(&scene, &(tr_scene_source){"case", text, strlen(text), v->set, n}, tr_laws_catalog(), st))
+        return false;
     scene.seed = (uint64_t)seed + 1;
     bool ok = tr_biaxial_init(&b, &scene, st);
     if (ok) {

@@ -56,7 +56,8 @@ static double impact_error(const tr_bodies *b, const void *reference) {
 static bool same_motion(tr_verify *v, const tr_precise *c, tr_status *st) {
     double state[2][2];
     tr_scene scene;
-    if (!tr_scene_read(&scene, "case", c->text, strlen(c->text), NULL, 0, tr_laws_catalog(), st)) return false;
+    if (!tr_scene_read(&scene, &(tr_scene_source){"case", c->text, strlen(c->text), NULL, 0}, tr_laws_catalog(), st))
+        return false;
     scene.step.safety /= 16;
     bool ok = true;
     for (int m = 0; m < 2 && ok; m++) {

@@ -143,7 +143,8 @@ static bool long_run(const char *text, drift *result, tr_status *st) {
     double e[SAMPLES] = {0};
     tr_scene scene;
     tr_bodies b;
-    if (!tr_scene_read(&scene, "case", text, strlen(text), NULL, 0, tr_laws_catalog(), st)) return false;
+    if (!tr_scene_read(&scene, &(tr_scene_source){"case", text, strlen(text), NULL, 0}, tr_laws_catalog(), st))
+        return false;
     if (!tr_bodies_init(&b, &scene, st)) return tr_scene_free(&scene), false;
     bool ok = true;
     double mean = 0, slope_sum = 0, swing = 0, unit = 0.5 * b.world.disks.mass[0] * SPEED * SPEED;
@@ -172,7 +173,8 @@ static bool refused(tr_verify *v, tr_status *st) {
     tr_scene scene;
     tr_bodies b;
     tr_status said = {0};
-    if (!tr_scene_read(&scene, "case", text, strlen(text), NULL, 0, tr_laws_catalog(), st)) return false;
+    if (!tr_scene_read(&scene, &(tr_scene_source){"case", text, strlen(text), NULL, 0}, tr_laws_catalog(), st))
+        return false;
     bool ok = tr_bodies_init(&b, &scene, st);
     if (ok) {
         tr_integrate(&b.world, TR_PEFRL, 1, &said);

@@ -119,7 +119,8 @@ bool tr_precision_path(tr_verify *v, tr_status *st) {
         {"vu-quoc-zhang", 1, 0.2, "a stands still over a step: first order, until breakpoints are merged"},
     };
     bench *b = tr_alloc(1, sizeof *b, st);
-    bool ok = b && tr_scene_read(&b->scene, "case", text, strlen(text), NULL, 0, tr_laws_catalog(), st);
+    bool ok =
+        b && tr_scene_read(&b->scene, &(tr_scene_source){"case", text, strlen(text), NULL, 0}, tr_laws_catalog(), st);
     if (ok) {
         tr_path_equation(&b->scene, 0.35, 0.3, false, b->exact[SPRING]);
         tr_path_equation(&b->scene, 0.35, 0.3, true, b->exact[DAHLBERG]);

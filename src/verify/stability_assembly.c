@@ -48,7 +48,7 @@ static bool run(tr_verify *v, const char *const *sets, int n_sets, test_end *end
     tr_scene scene;
     tr_biaxial *b = tr_alloc(1, sizeof *b, st);
     *end = (test_end){.residual = NAN};
-    if (!b || !tr_scene_read(&scene, v->now->name, sample, strlen(sample), sets, n_sets, tr_laws_catalog(), st))
+    if (!b || !tr_scene_read(&scene, &(tr_scene_source){v->now->name, sample, strlen(sample), sets, n_sets}, tr_laws_catalog(), st))
         return free(b), false;
     if (tr_biaxial_init(b, &scene, &end->st)) {
         play(v, b, end);

@@ -40,7 +40,8 @@ static bool drive(tr_verify *v, const char *text, extremes *e, tr_status *st) {
     tr_scene scene;
     tr_contact_state s[TR_MAX_LAWS];
     *e = (extremes){0};
-    if (!tr_scene_read(&scene, v->now->name, text, strlen(text), NULL, 0, tr_laws_catalog(), st)) return false;
+    if (!tr_scene_read(&scene, &(tr_scene_source){v->now->name, text, strlen(text), NULL, 0}, tr_laws_catalog(), st))
+        return false;
     tr_contact *contact = tr_contact_new(&scene, st);
     bool ok = contact != NULL;
     for (int64_t k = 0; ok && k < tr_contact_steps(&scene) && (ok = tr_contact_step(contact, s, st)); k++)

@@ -35,7 +35,7 @@ static bool place(tr_world *w, tr_random *r, int i, double R, double density, do
     double angle = 2 * M_PI * tr_random_uniform(r), d = hypot(q[0] - p[0], q[1] - p[1]);
     double a = p[3] + R - lap, b = q[3] + R - lap, c = (d * d + a * a - b * b) / (2 * a * d);
     if (j != j2 && fabs(c) < 1) angle = atan2(q[1] - p[1], q[0] - p[0]) + acos(c);
-    tr_world_set_disk(w, i, p[0] + a * cos(angle), p[1] + a * sin(angle), 0, R, density, held);
+    tr_world_set_disk(w, i, &(tr_disk_start){p[0] + a * cos(angle), p[1] + a * sin(angle), 0, R, density, held});
     return gap(w, i, i) > -1.5 * lap; /* no deeper than the two it touches */
 }
 
@@ -44,7 +44,7 @@ static bool throw_disks(tr_network *net, tr_random *r, tr_status *st) {
     double lap = LAP * SMALLEST, density = among(r, 1e2, 1e4);
     bool held = tr_random_uniform(r) < 0.25;
     if (!tr_world_init(&net->w, n, TR_SHAPE_DISK, st)) return false;
-    tr_world_set_disk(&net->w, 0, 0, 0, 0, among(r, SMALLEST, 10 * SMALLEST), density, held);
+    tr_world_set_disk(&net->w, 0, &(tr_disk_start){0, 0, 0, among(r, SMALLEST, 10 * SMALLEST), density, held});
     while (placed < n)
         placed += place(&net->w, r, placed, among(r, SMALLEST, 10 * SMALLEST), among(r, 1e2, 1e4), lap, false);
     if (tr_random_uniform(r) < 0.5) { /* a floor under the lowest */
@@ -281,7 +281,8 @@ static bool set_laws(tr_network *net, tr_random *r, const char *velocity, bool s
     const char *law = net->conjugate ? "contact.rolling=conjugate-spring" : "contact.rolling=wang-spring";
     const char *sets[] = {value[0], value[1], value[2], value[3], value[4], value[5], rolling, law};
     tr_scene scene;
-    if (!tr_scene_read(&scene, "network", text, strlen(text), sets, 8, tr_laws_catalog(), st)) return false;
+    if (!tr_scene_read(&scene, &(tr_scene_source){"network", text, strlen(text), sets, 8}, tr_laws_catalog(), st))
+        return false;
     bool ok = tr_world_set_laws(&net->w, &scene.contact, false, 0, st);
     tr_scene_free(&scene);
     return ok;

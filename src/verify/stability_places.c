@@ -20,12 +20,13 @@ static bool burst(tr_verify *v, double far, const tr_broad_finder *finder, doubl
     tr_scene scene;
     tr_world *w = tr_alloc(1, sizeof *w, st);
     if (!w) return false;
-    bool ok = tr_scene_read(&scene, "burst", text, strlen(text), NULL, 0, tr_laws_catalog(), st);
+    bool ok = tr_scene_read(&scene, &(tr_scene_source){"burst", text, strlen(text), NULL, 0}, tr_laws_catalog(), st);
     if (ok && (ok = tr_world_init(w, N, TR_SHAPE_DISK, st))) {
-        tr_world_set_disk(w, 0, 0, 0, 0, 1, 1000, false);
+        tr_world_set_disk(w, 0, &(tr_disk_start){0, 0, 0, 1, 1000, false});
         for (int i = 1; i < N; i++) {
             int row = (i - 1) / SIDE, column = (i - 1) % SIDE;
-            tr_world_set_disk(w, i, far + 1.98 * column + 0.5 * (row % 2), far + 1.9 * row, 0, 1, 1000, false);
+            tr_world_set_disk(
+                w, i, &(tr_disk_start){far + 1.98 * column + 0.5 * (row % 2), far + 1.9 * row, 0, 1, 1000, false});
         }
         w->broad = finder;
         w->dt = 2e-3; /* the limit is 0.02 s */

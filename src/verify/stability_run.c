@@ -7,7 +7,9 @@
 
 bool tr_stability_open(tr_stability_run *run, const char *text, const char *const *sets, int n_sets, tr_status *st) {
     *run = (tr_stability_run){0};
-    if (!tr_scene_read(&run->scene, "stability", text, strlen(text), sets, n_sets, tr_laws_catalog(), st)) return false;
+    if (!tr_scene_read(&run->scene, &(tr_scene_source){"stability", text, strlen(text), sets, n_sets},
+                       tr_laws_catalog(), st))
+        return false;
     run->open = tr_bodies_init(&run->b, &run->scene, st);
     if (!run->open) tr_scene_free(&run->scene);
     return run->open;

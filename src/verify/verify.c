@@ -167,7 +167,9 @@ bool tr_verify_scene(tr_verify *v, const char *text, const char *const *sets, in
     enum { MOST = 32 };
     tr_scene scene;
     tr_check_result coarse[MOST] = {{0}}, result[MOST] = {{0}};
-    if (!tr_scene_read(&scene, v->now->name, text, strlen(text), sets, n_sets, tr_laws_catalog(), st)) return false;
+    if (!tr_scene_read(&scene, &(tr_scene_source){v->now->name, text, strlen(text), sets, n_sets}, tr_laws_catalog(),
+                       st))
+        return false;
     bool ok = true;
     for (int h = 0; h <= halvings && ok; h++) {
         memcpy(coarse, result, sizeof coarse);

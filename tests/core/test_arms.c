@@ -135,8 +135,9 @@ static void put_pair(tr_world *w, double R1, const char *arms, double mu_r) {
     const double R2 = 0.01, distance = R1 + 0.9 * R2;
     int last = R1 > 0;
     new_world(w, last + 1);
-    if (last) tr_world_set_disk(w, 0, 0, 0, 0, R1, 1000, false), set_velocity(w, 0, 0.1, 0.2, 30);
-    tr_world_set_disk(w, last, last ? 0.6 * distance : 0, (last ? 0.8 : 1) * distance, 0, R2, 1000, false);
+    if (last) tr_world_set_disk(w, 0, &(tr_disk_start){0, 0, 0, R1, 1000, false}), set_velocity(w, 0, 0.1, 0.2, 30);
+    tr_world_set_disk(w, last,
+                      &(tr_disk_start){last ? 0.6 * distance : 0, (last ? 0.8 : 1) * distance, 0, R2, 1000, false});
     set_velocity(w, last, -0.4, 0.3, -70);
     if (!last) w->wall[0] = (tr_wall){.ny = 1}, w->n_walls = 1;
     set_conjugate_laws(w, arms, mu_r);

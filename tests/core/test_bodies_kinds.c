@@ -11,7 +11,7 @@ static const double G = 9.81, R = 0.02, DENSITY = 2700;
 /* A scene by its text, run to its end. */
 static void play(const char *text, tr_scene *scene, tr_bodies *b) {
     tr_status st = {0};
-    if (!tr_scene_read(scene, "case", text, strlen(text), NULL, 0, tr_laws_catalog(), &st) ||
+    if (!tr_scene_read(scene, &(tr_scene_source){"case", text, strlen(text), NULL, 0}, tr_laws_catalog(), &st) ||
         !tr_bodies_init(b, scene, &st))
         fail_msg("%s", st.text);
     for (int64_t k = 0; k < b->steps; k++) {

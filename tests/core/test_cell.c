@@ -30,8 +30,8 @@ static pair_state strike(bool cell, double x0, double y0, int n_steps, int64_t *
         new_cell(&w, 2, 0.06, 0.08);
     else
         new_world(&w, 2);
-    tr_world_set_disk(&w, 0, x0, y0, 0, 0.5 * D, 1000, false);
-    tr_world_set_disk(&w, 1, x0 + 0.8 * D, y0 + 0.599 * D, 0, 0.5 * D, 1000, false);
+    tr_world_set_disk(&w, 0, &(tr_disk_start){x0, y0, 0, 0.5 * D, 1000, false});
+    tr_world_set_disk(&w, 1, &(tr_disk_start){x0 + 0.8 * D, y0 + 0.599 * D, 0, 0.5 * D, 1000, false});
     set_velocity(&w, 0, 6.0, 7.3, 5), set_velocity(&w, 1, 5.97, 7.28, -2);
     set_gravity(&w, 0, 0); /* then pressed together */
     for (int k = 0; k < 2; k++) w.disks.load[4 * k] = k ? -16 : 16, w.disks.load[4 * k + 1] = k ? -12 : 12;
@@ -101,7 +101,7 @@ static void test_images_alone_move(void **state) {
         new_cell(&w, 4, axis ? 9 : 10, axis ? 10 : 9);
         for (int i = 0; i < 4; i++) {
             double at = (i % 2 ? -1 : 1) * (i < 2 ? 4 - gap / 2 : 1.1), side = i < 2 ? 1 : -2.2;
-            tr_world_set_disk(&w, i, axis ? side : at, axis ? at : side, 0, 1, 1000, true);
+            tr_world_set_disk(&w, i, &(tr_disk_start){axis ? side : at, axis ? at : side, 0, 1, 1000, true});
         }
         set_laws(&w, (test_laws){.k_n = k_n}, 0);
         w.dt = 1e-3, w.cell.rate[axis] = rate;
@@ -129,7 +129,7 @@ static void new_lattice(tr_world *w, bool triangular) {
     for (int i = 0; i < ROW * ROW; i++) {
         int row = i / ROW;
         double x = (i % ROW + (triangular && row % 2 ? 0.5 : 0)) * d, y = row * rise;
-        tr_world_set_disk(w, i, x, y, 0, 1, 1000, false);
+        tr_world_set_disk(w, i, &(tr_disk_start){x, y, 0, 1, 1000, false});
     }
     set_laws(w, (test_laws){.k_n = 1e9, .damping_ratio = 0.2}, 0);
     w->dt = 0.2 * tr_timestep_worst(w);
@@ -216,7 +216,8 @@ static void test_gas(void **state) {
     double p0[2] = {0}, K0[2] = {0};
     new_cell(&w, N, 6, 4);
     for (int i = 0; i < N; i++) { /* half of them outside the cell, where their images are not */
-        tr_world_set_disk(&w, i, 6 * tr_random_uniform(&r), 4 * tr_random_uniform(&r), 0, 1e-3, 1000, false);
+        tr_world_set_disk(&w, i,
+                          &(tr_disk_start){6 * tr_random_uniform(&r), 4 * tr_random_uniform(&r), 0, 1e-3, 1000, false});
         set_velocity(&w, i, tr_random_uniform(&r) - 0.2, tr_random_uniform(&r) - 0.7, 0);
     }
     for (int i = 0; i < 2 * N; i++) {
@@ -347,7 +348,7 @@ static void test_tiles(void **state) {
     for (int k = 0; k < 4 * N; k++) {
         const double *p = w->disks.pos + 4 * (k % N), *v = w->disks.vel + 4 * (k % N);
         int i = k / N % 2, j = k / (2 * N);
-        tr_world_set_disk(&tiled, k, p[0] + i * side[0], p[1] + j * side[1], p[2], p[3], 2700, false);
+        tr_world_set_disk(&tiled, k, &(tr_disk_start){p[0] + i * side[0], p[1] + j * side[1], p[2], p[3], 2700, false});
         set_velocity(&tiled, k, v[0] + i * w->cell.rate[0], v[1] + j * w->cell.rate[1], v[2]);
     }
     if (!tr_world_set_laws(&tiled, &scene.contact, true, 0, &st)) fail_msg("%s", st.text);
@@ -408,7 +409,7 @@ static void test_thin_cell_is_refused(void **state) {
         tr_world w;
         tr_status st = {0};
         new_cell(&w, 2, 5, 5);
-        for (int i = 0; i < 2; i++) tr_world_set_disk(&w, i, i * 2.2, 0, 0, 1, 1000, false);
+        for (int i = 0; i < 2; i++) tr_world_set_disk(&w, i, &(tr_disk_start){i * 2.2, 0, 0, 1, 1000, false});
         set_laws(&w, (test_laws){.k_n = 1e6}, 0);
         w.dt = 1e-4;
         /* 2 (2 + 0.3*2), for the wide skin is 0.3 of the mean diameter */

@@ -16,8 +16,9 @@ static void new_cluster(tr_world *w, test_laws laws, unsigned sinks) {
     new_world(w, N);
     for (int i = 0; i < N; i++) {
         double radius = 0.006 + 0.004 * tr_random_uniform(&r), x = 0.018 * (i % SIDE - 3), y = 0.018 * (i / SIDE - 3);
-        tr_world_set_disk(w, i, x + 0.001 * tr_random_uniform(&r), y + 0.001 * tr_random_uniform(&r), 0, radius, 1000,
-                          false);
+        tr_world_set_disk(w, i,
+                          &(tr_disk_start){x + 0.001 * tr_random_uniform(&r), y + 0.001 * tr_random_uniform(&r), 0,
+                                           radius, 1000, false});
         set_velocity(w, i, -10 * x - 5 * y + 0.2 * tr_random_uniform(&r), -10 * y + 5 * x,
                      40 * (tr_random_uniform(&r) - 0.3));
     }
@@ -72,8 +73,8 @@ static void test_momentum(void **state) {
 static void keeps_angular_momentum(const char *arms) {
     tr_world w;
     new_world(&w, 2);
-    tr_world_set_disk(&w, 0, 0, 0, 0, 0.01, 1000, false);
-    tr_world_set_disk(&w, 1, 0.013, 0, 0, 0.005, 1000, false);
+    tr_world_set_disk(&w, 0, &(tr_disk_start){0, 0, 0, 0.01, 1000, false});
+    tr_world_set_disk(&w, 1, &(tr_disk_start){0.013, 0, 0, 0.005, 1000, false});
     set_laws(&w, (test_laws){1e6, 0, 10, 1e6, 0, 0, NULL, arms}, 0);
     w.dt = 1e-6, w.allow_unstable = true;
     set_velocity(&w, 0, 0, 0, 100);
@@ -148,7 +149,7 @@ static void rigid_rotation_dissipates_nothing(const char *arms) {
     for (int i = 0; i < M; i++) {
         double radius = i % 2 ? 0.006 : 0.01;
         x[i] = 0.016 * (i % 5) * 0.97, y[i] = 0.016 * (i / 5) * 0.97;
-        tr_world_set_disk(&w, i, x[i], y[i], 0, radius, 1000, false);
+        tr_world_set_disk(&w, i, &(tr_disk_start){x[i], y[i], 0, radius, 1000, false});
     }
     test_laws laws = stiff;
     laws.rolling_velocity = "bagi-kuhn", laws.arms = arms;

@@ -76,8 +76,8 @@ static void test_approach_from_far_is_seen(void **state) {
         for (int wall = 0; wall < 2; wall++) {
             tr_world w;
             new_world(&w, 2);
-            tr_world_set_disk(&w, 0, 0, 0, 0, 0.01, 1000, wall);
-            tr_world_set_disk(&w, 1, wall ? 1 : 0.05, 0, 0, 0.01, 1000, wall);
+            tr_world_set_disk(&w, 0, &(tr_disk_start){0, 0, 0, 0.01, 1000, wall});
+            tr_world_set_disk(&w, 1, &(tr_disk_start){wall ? 1 : 0.05, 0, 0, 0.01, 1000, wall});
             if (wall) w.wall[0] = (tr_wall){.x = -0.03, .nx = 1, .vx = 2e-3 * speed}, w.n_walls = 1;
             set_laws(&w, normal_spring, 0);
             w.dt = 1e-3, w.allow_unstable = true;
@@ -112,7 +112,7 @@ static void stretch(bool periodic, double rows, double astray) {
     double u[2 * N];
     for (int i = 0; i < N; i++) {
         double x = (i % ROW + 0.5) * pitch[0] - side[0] / 2, y = (i / ROW + 0.5) * pitch[1] - side[1] / 2;
-        tr_world_set_disk(&w, i, x, y, 0, R, 1000, true);
+        tr_world_set_disk(&w, i, &(tr_disk_start){x, y, 0, R, 1000, true});
         for (int k = 0; k < 2; k++) u[2 * i + k] = astray * R / time * (2 * tr_random_uniform(&random) - 1);
     }
     if (periodic) w.cell = (tr_periodic_cell){.side = {side[0], side[1]}};
@@ -176,7 +176,8 @@ static void test_histories_follow_their_pair(void **state) {
     const test_laws laws = {1e3, 0, 1e6, 2e3, 1e6, 3e3, "bagi-kuhn", NULL};
     tr_world w;
     new_world(&w, 8);
-    for (int i = 0; i < 8; i++) tr_world_set_disk(&w, i, 2 + 0.1 * i, 1, 0, i == 2 ? 0.02 : 0.01, 1000, true);
+    for (int i = 0; i < 8; i++)
+        tr_world_set_disk(&w, i, &(tr_disk_start){2 + 0.1 * i, 1, 0, i == 2 ? 0.02 : 0.01, 1000, true});
     double *pos = w.disks.pos;
     pos[8] = pos[9] = 0, pos[28] = 0.029, pos[29] = 0, pos[16] = 1, pos[17] = -0.991;
     w.wall[0] = (tr_wall){.y = -2, .ny = 1}, w.wall[1] = (tr_wall){.y = -1, .ny = 1, .vx = 0.2}, w.n_walls = 2;
@@ -237,7 +238,7 @@ static void test_histories_survive_growth(void **state) {
     tr_world w;
     new_world(&w, ALL);
     for (int i = 0; i < ALL; i++)
-        tr_world_set_disk(&w, i, 0.03 * i, i % 5 == 4 ? 0.0099 : 1, 0, 0.01, 1000, true),
+        tr_world_set_disk(&w, i, &(tr_disk_start){0.03 * i, i % 5 == 4 ? 0.0099 : 1, 0, 0.01, 1000, true}),
             set_velocity(&w, i, 0.2, 0, 0);
     w.wall[0] = (tr_wall){.ny = 1}, w.n_walls = 1;
     set_laws(&w, (test_laws){1e3, 0, 1e6, 2e3, 1e6, 3e3, "bagi-kuhn", NULL}, 0);
@@ -266,7 +267,7 @@ static void test_a_failed_renewal_leaves_the_lists(void **state) {
     tr_world w;
     tr_status st = {0};
     new_world(&w, 4);
-    for (int i = 0; i < 4; i++) tr_world_set_disk(&w, i, 0.1 * i, 0, 0, 0.01 + 0.001 * i, 1000, true);
+    for (int i = 0; i < 4; i++) tr_world_set_disk(&w, i, &(tr_disk_start){0.1 * i, 0, 0, 0.01 + 0.001 * i, 1000, true});
     double *pos = w.disks.pos;
     pos[8] = pos[4] + 0.0229, pos[12] = pos[8] + 0.0249; /* 1-2, 2-3 */
     w.wall[0] = (tr_wall){.y = -1, .ny = 1}, w.n_walls = 1;
@@ -391,7 +392,7 @@ static void test_forces_do_not_add_up(void **state) {
     for (int load = 0; load < 2; load++) {
         tr_world w;
         new_world(&w, 2);
-        for (int i = 0; i < 2; i++) tr_world_set_disk(&w, i, 0.0199 * i, 0, 0, 0.01, 1000, true);
+        for (int i = 0; i < 2; i++) tr_world_set_disk(&w, i, &(tr_disk_start){0.0199 * i, 0, 0, 0.01, 1000, true});
         if (load) set_gravity(&w, 1, 0);
         set_laws(&w, normal_spring, 0);
         w.dt = 1e-4, w.allow_unstable = true;

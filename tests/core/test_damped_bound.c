@@ -149,8 +149,9 @@ static const double R[2] = {0.01, 0.004}, LAP = 1e-9; /* LAP: arms are those of 
 
 static void new_pair(tr_world *w, const par p[TR_N_LAW_KINDS]) {
     new_world(w, 2);
-    tr_world_set_disk(w, 0, 0, 0, 0, R[0], 1000, false);
-    tr_world_set_disk(w, 1, 0.6 * (R[0] + R[1] - LAP), 0.8 * (R[0] + R[1] - LAP), 0, R[1], 3000, false);
+    tr_world_set_disk(w, 0, &(tr_disk_start){0, 0, 0, R[0], 1000, false});
+    tr_world_set_disk(w, 1,
+                      &(tr_disk_start){0.6 * (R[0] + R[1] - LAP), 0.8 * (R[0] + R[1] - LAP), 0, R[1], 3000, false});
     set_plain(w, p);
 }
 
@@ -292,7 +293,7 @@ static void test_any_stiffness_and_dashpot_of_a_cluster(void **state) {
         new_world(&w, DISKS);
         for (int i = 0; i < DISKS; i++) {
             double d = i ? 2 * R[0] - LAP : 0, a = i * M_PI / 3;
-            tr_world_set_disk(&w, i, d * cos(a), d * sin(a), 0, R[0], 1000, false);
+            tr_world_set_disk(&w, i, &(tr_disk_start){d * cos(a), d * sin(a), 0, R[0], 1000, false});
         }
         set_plain(&w, p);
         double bound = tr_timestep_contacts(&w).dt;

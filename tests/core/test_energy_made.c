@@ -27,8 +27,8 @@ static void new_pair(pair *p, double R1, double R2, const char *rolling, const c
     tr_status st = {0};
     *p = (pair){.R1 = R1, .R2 = R2, .L = R1 + R2 - overlap};
     new_world(&p->world, 2);
-    tr_world_set_disk(&p->world, 0, 0, 0, 0, R1, 1000, true);
-    tr_world_set_disk(&p->world, 1, 0, p->L, 0, R2, 1000, true);
+    tr_world_set_disk(&p->world, 0, &(tr_disk_start){0, 0, 0, R1, 1000, true});
+    tr_world_set_disk(&p->world, 1, &(tr_disk_start){0, p->L, 0, R2, 1000, true});
     tr_scene_contact c = contact_of((test_laws){.k_n = k_n, .mu_r = 100, .k_r = k_r, .rolling_velocity = velocity});
     if (rolling) {
         const tr_param_catalog *catalog = tr_laws_catalog();
@@ -163,8 +163,8 @@ static void friction_makes_none_while_the_normal_force_changes(void **state) {
     (void)state;
     tr_world w;
     new_world(&w, 2);
-    tr_world_set_disk(&w, 0, 0, 0, 0, 0.01, 1000, true);
-    tr_world_set_disk(&w, 1, 0, 0.02 - 2e-5, 0, 0.01, 1000, true);
+    tr_world_set_disk(&w, 0, &(tr_disk_start){0, 0, 0, 0.01, 1000, true});
+    tr_world_set_disk(&w, 1, &(tr_disk_start){0, 0.02 - 2e-5, 0, 0.01, 1000, true});
     set_laws(&w, (test_laws){.k_n = k_n, .mu = 0.5, .k_t = 0.5 * k_n}, TR_SINK_LEDGER);
     w.dt = 1e-4, w.allow_unstable = true;
     forces(&w), tr_ledger_begin(&w);
@@ -192,8 +192,8 @@ static void a_rigid_turn_costs_star_force_proportional_and_makes_nothing(void **
     tr_status st = {0};
     tr_world w;
     new_world(&w, 2);
-    tr_world_set_disk(&w, 0, 0, 0, 0, R, 1000, true);
-    tr_world_set_disk(&w, 1, 0, L, 0, R, 1000, true);
+    tr_world_set_disk(&w, 0, &(tr_disk_start){0, 0, 0, R, 1000, true});
+    tr_world_set_disk(&w, 1, &(tr_disk_start){0, L, 0, R, 1000, true});
     tr_scene_contact c = contact_of((test_laws){.k_n = k_n});
     c.rolling = law_named(tr_laws_rolling, catalog->n_rolling, "star-force-proportional");
     set_parameter(&c.rolling, catalog->rolling[c.rolling.law], "mu_r", mu_r);

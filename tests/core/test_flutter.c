@@ -44,8 +44,8 @@ static double exact_growth(double a, double mu, double k_t, double *frequency) {
 static void set_up(tr_world *w, double a, double mu, double k_t) {
     const double L = 2 * R - LAP, f = K_N * LAP;
     new_world(w, 2);
-    tr_world_set_disk(w, 0, L * cos(a), R - LAP + L * sin(a), 0, R, DENSITY, true);
-    tr_world_set_disk(w, 1, 0, R - LAP, 0, R, DENSITY, false);
+    tr_world_set_disk(w, 0, &(tr_disk_start){L * cos(a), R - LAP + L * sin(a), 0, R, DENSITY, true});
+    tr_world_set_disk(w, 1, &(tr_disk_start){0, R - LAP, 0, R, DENSITY, false});
     w->wall[0] = (tr_wall){.ny = 1}, w->n_walls = 1;
     set_laws(w, (test_laws){.k_n = K_N, .mu = mu, .k_t = k_t}, 0);
     w->dt = 1e-12;

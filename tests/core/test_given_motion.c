@@ -320,8 +320,8 @@ static void test_ledger_beside_a_given_disk(void **state) {
     for (int d = 0; d < 3; d++) {
         tr_world w;
         new_world(&w, 2);
-        tr_world_set_disk(&w, 0, 0, 0, 0, R, densities[d], true);
-        tr_world_set_disk(&w, 1, 2 * R + 1e-9, 0, 0, R, DENSITY, false);
+        tr_world_set_disk(&w, 0, &(tr_disk_start){0, 0, 0, R, densities[d], true});
+        tr_world_set_disk(&w, 1, &(tr_disk_start){2 * R + 1e-9, 0, 0, R, DENSITY, false});
         set_laws(&w, (test_laws){.k_n = K, .damping_ratio = 0.3}, TR_SINK_LEDGER);
         w.dt = 3e-4 * tr_timestep_worst(&w);
         set_velocity(&w, 1, -1e-3, 0, 0);

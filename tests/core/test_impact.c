@@ -30,12 +30,12 @@ static impact strike(test_laws laws, bool wall, double v_n, double v_s0, int ste
     int b = wall ? 0 : 1;
     if (wall) {
         w.wall[0] = (tr_wall){.nx = 1}, w.n_walls = 1;
-        tr_world_set_disk(&w, 0, RADIUS + gap, 0, 0, RADIUS, DENSITY, false);
+        tr_world_set_disk(&w, 0, &(tr_disk_start){RADIUS + gap, 0, 0, RADIUS, DENSITY, false});
         set_laws(&w, laws, 0);
         set_velocity(&w, 0, -v_n, -v_s0, 0); /* t = n x k = (0, -1) */
     } else {
-        tr_world_set_disk(&w, 0, 0, 0, 0, RADIUS, DENSITY, false);
-        tr_world_set_disk(&w, 1, 2 * RADIUS + gap, 0, 0, RADIUS, DENSITY, false);
+        tr_world_set_disk(&w, 0, &(tr_disk_start){0, 0, 0, RADIUS, DENSITY, false});
+        tr_world_set_disk(&w, 1, &(tr_disk_start){2 * RADIUS + gap, 0, 0, RADIUS, DENSITY, false});
         set_laws(&w, laws, 0);
         set_velocity(&w, 0, v_n / 2, v_s0 / 2, 0);
         set_velocity(&w, 1, -v_n / 2, -v_s0 / 2, 0);
@@ -154,8 +154,8 @@ static void test_no_attraction(void **state) {
     (void)state;
     tr_world w;
     new_world(&w, 2);
-    tr_world_set_disk(&w, 0, 0, 0, 0, RADIUS, DENSITY, false);
-    tr_world_set_disk(&w, 1, 2 * RADIUS * (1 - 1e-4), 0, 0, RADIUS, DENSITY, false);
+    tr_world_set_disk(&w, 0, &(tr_disk_start){0, 0, 0, RADIUS, DENSITY, false});
+    tr_world_set_disk(&w, 1, &(tr_disk_start){2 * RADIUS * (1 - 1e-4), 0, 0, RADIUS, DENSITY, false});
     set_laws(&w, (test_laws){.k_n = K, .damping_ratio = 1, .mu = 0.5, .k_t = K, .mu_r = 0.5, .k_r = K}, 0);
     w.dt = 1e-7;
     set_velocity(&w, 0, -10, 1, 5), set_velocity(&w, 1, 10, 0, 5);

@@ -31,8 +31,9 @@ static void begin(scene *s, tr_shape shape, const char *friction, int pairs, dou
     new_world_of(&s->world, 2 * pairs, shape);
     for (int i = 0; i < pairs; i++) {
         double L = R1 + R2 - DEPTH, x = 0.02 * i;
-        tr_world_set_disk(&s->world, 2 * i, x, 0, 0, R1, 2700, true);
-        tr_world_set_disk(&s->world, 2 * i + 1, x + L * cos(angle), L * sin(angle), 0, R2, 2700, true);
+        tr_world_set_disk(&s->world, 2 * i, &(tr_disk_start){x, 0, 0, R1, 2700, true});
+        tr_world_set_disk(&s->world, 2 * i + 1,
+                          &(tr_disk_start){x + L * cos(angle), L * sin(angle), 0, R2, 2700, true});
     }
     s->world.dt = DT, s->world.allow_unstable = true;
     if (!tr_world_set_laws(&s->world, &c, false, 0, &st)) fail_msg("%s", st.text);

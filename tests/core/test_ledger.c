@@ -80,7 +80,7 @@ static void new_cluster(tr_world *w, int n, test_laws laws) {
     new_world(w, n);
     for (int i = 0; i < n; i++) {
         double x = 0.018 * (i % 6 - 3), y = 0.018 * (i / 6 - 3);
-        tr_world_set_disk(w, i, x, y, 0, 0.006 + 0.004 * tr_random_uniform(&r), 1000, false);
+        tr_world_set_disk(w, i, &(tr_disk_start){x, y, 0, 0.006 + 0.004 * tr_random_uniform(&r), 1000, false});
         set_velocity(w, i, -10 * x + 0.2 * tr_random_uniform(&r), -10 * y, 40 * (tr_random_uniform(&r) - 0.3));
     }
     set_laws(w, laws, TR_SINK_LEDGER);

@@ -14,7 +14,7 @@ static void cluster(tr_world *world) {
     for (int i = 0; i < N; i++) {
         double angle = 0.4 * i, way = i ? R[i - 1] + R[i] - OVERLAP : 0;
         x += way * cos(angle), y += way * sin(angle);
-        tr_world_set_disk(world, i, x, y, 0, R[i], 2700, false);
+        tr_world_set_disk(world, i, &(tr_disk_start){x, y, 0, R[i], 2700, false});
     }
     world->dt = 1e-9;
     world->allow_unstable = true;

@@ -11,7 +11,8 @@ static tr_scene scene;
 static tr_bodies b;
 
 static bool try_text(const char *text, tr_status *st) {
-    if (!tr_scene_read(&scene, "a", text, strlen(text), NULL, 0, tr_laws_catalog(), st)) fail_msg("%s", st->text);
+    if (!tr_scene_read(&scene, &(tr_scene_source){"a", text, strlen(text), NULL, 0}, tr_laws_catalog(), st))
+        fail_msg("%s", st->text);
     if (tr_bodies_init(&b, &scene, st)) return true;
     tr_scene_free(&scene);
     return false;

@@ -60,7 +60,8 @@ static bool scene_of(tr_scene *scene, const tr_law *const law[3], const char *bo
         law[1]->table.name, law[2]->table.name);
     for (int k = 0; k < 3; k++) add_parameters(&t, law[k]);
     add(&t, ", arms: %s}\n", strcmp(boundary, "walls") ? "shared" : "midpoint");
-    if (tr_scene_read(scene, "case", t.s, strlen(t.s), NULL, 0, tr_laws_catalog(), &st)) return true;
+    if (tr_scene_read(scene, &(tr_scene_source){"case", t.s, strlen(t.s), NULL, 0}, tr_laws_catalog(), &st))
+        return true;
     const unsigned only = TR_ONLY_DISKS | TR_ONLY_SPHERES | TR_ONLY_DRIVER;
     for (int k = 0; k < 3; k++)
         if (law[k]->table.demands & only) return false;

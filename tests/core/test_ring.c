@@ -19,7 +19,7 @@ typedef struct show {
 
 static void start_text(show *s, const char *text) {
     tr_status st = {0};
-    if (!tr_scene_read(&s->scene, "case", text, strlen(text), NULL, 0, tr_laws_catalog(), &st) ||
+    if (!tr_scene_read(&s->scene, &(tr_scene_source){"case", text, strlen(text), NULL, 0}, tr_laws_catalog(), &st) ||
         !tr_bodies_init(&s->b, &s->scene, &st))
         fail_msg("%s", st.text);
 }
@@ -53,9 +53,9 @@ static void two_bodies(tr_world *w, tr_random *random, double Rr, double R, doub
     tr_status st = {0};
     double angle = 6 * tr_random_uniform(random), apart = Rr - R + overlap;
     new_world(w, 2);
-    tr_world_set_disk(w, 0, 0.3, -0.2, 0, Rr, 1000, false);
+    tr_world_set_disk(w, 0, &(tr_disk_start){0.3, -0.2, 0, Rr, 1000, false});
     if (!tr_world_set_ring(w, 0, Rr, 1.1 * Rr, 1000, &st)) fail_msg("%s", st.text);
-    tr_world_set_disk(w, 1, 0.3 + apart * cos(angle), -0.2 + apart * sin(angle), 0, R, 1000, false);
+    tr_world_set_disk(w, 1, &(tr_disk_start){0.3 + apart * cos(angle), -0.2 + apart * sin(angle), 0, R, 1000, false});
     w->n_rings = 1;
     for (int i = 0; i < 2; i++)
         set_velocity(w, i, tr_random_uniform(random) - 0.5, tr_random_uniform(random) - 0.5,
@@ -451,7 +451,8 @@ static void what_is_in_no_ring_is_told_where(void **state) {
         tr_status st = {0};
         snprintf(text, sizeof text, "kind: bodies\ndisks: [%s]\ntime_end: 1\ncontact: {k_n: 1e7, mu: 0, mu_r: 0}\n",
                  rows[i][0]);
-        if (tr_scene_read(&scene, "case", text, strlen(text), NULL, 0, tr_laws_catalog(), &st)) fail_msg("%s", text);
+        if (tr_scene_read(&scene, &(tr_scene_source){"case", text, strlen(text), NULL, 0}, tr_laws_catalog(), &st))
+            fail_msg("%s", text);
         if (!strstr(st.text, rows[i][1])) fail_msg("no \"%s\" in: %s", rows[i][1], st.text);
     }
 }
@@ -465,7 +466,7 @@ static void the_inertia_of_a_ring_is_that_of_its_hoops(void **state) {
         tr_status st = {0};
         double m = 0, I = 0;
         new_world_of(&w, 1, shape);
-        tr_world_set_disk(&w, 0, 0, 0, 0, a, 1000, false);
+        tr_world_set_disk(&w, 0, &(tr_disk_start){0, 0, 0, a, 1000, false});
         assert_true(tr_world_set_ring(&w, 0, a, b, 1000, &st));
         for (int i = 0; i < n; i++) {
             double r = a + (i + 0.5) * (b - a) / n, dr = (b - a) / n;

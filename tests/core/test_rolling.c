@@ -25,7 +25,7 @@ static void put_on_floor(tr_world *w, test_laws laws, double slope) {
     new_world(w, 1);
     w->wall[0] = (tr_wall){.ny = 1}, w->n_walls = 1;
     double gy = G * cos(slope);
-    tr_world_set_disk(w, 0, 0, RADIUS - mass() * gy / laws.k_n, 0, RADIUS, DENSITY, false);
+    tr_world_set_disk(w, 0, &(tr_disk_start){0, RADIUS - mass() * gy / laws.k_n, 0, RADIUS, DENSITY, false});
     set_gravity(w, G * sin(slope), -gy);
     set_laws(w, laws, TR_SINK_LEDGER);
     w->dt = 0.1 / sqrt(3 * fmax(laws.k_n, fmax(laws.k_t, laws.k_r)) / mass());

@@ -58,11 +58,11 @@ static impact strike(double ratio, double zeta, double v, int steps_per_contact,
     new_world_of(&w, wall ? 1 : 2, TR_SHAPE_SPHERE);
     w.dt = time / steps_per_contact, w.allow_unstable = true;
     gap = (phase + 0.5) * v * w.dt;
-    tr_world_set_disk(&w, 0, RADIUS + gap, 0, 0, RADIUS, DENSITY, false);
+    tr_world_set_disk(&w, 0, &(tr_disk_start){RADIUS + gap, 0, 0, RADIUS, DENSITY, false});
     if (wall)
         w.wall[0] = (tr_wall){.nx = 1}, w.n_walls = 1;
     else
-        tr_world_set_disk(&w, 1, -R2, 0, 0, R2, DENSITY, false);
+        tr_world_set_disk(&w, 1, &(tr_disk_start){-R2, 0, 0, R2, DENSITY, false});
     set_hertz(&w, "hertz-sphere", (test_laws){.damping_ratio = zeta}, 0);
     set_velocity(&w, 0, wall ? -v : -v * m / mass(RADIUS), 0, 0);
     if (!wall) set_velocity(&w, 1, v * m / mass(R2), 0, 0);
@@ -145,7 +145,7 @@ static void put_on_floor(tr_world *w, test_laws laws) {
     new_world_of(w, 1, TR_SHAPE_SPHERE);
     w->wall[0] = (tr_wall){.ny = 1}, w->n_walls = 1;
     double delta = pow(mass(RADIUS) * G / strength(RADIUS), 2.0 / 3);
-    tr_world_set_disk(w, 0, 0, RADIUS - delta, 0, RADIUS, DENSITY, false);
+    tr_world_set_disk(w, 0, &(tr_disk_start){0, RADIUS - delta, 0, RADIUS, DENSITY, false});
     set_gravity(w, 0, -G);
     set_hertz(w, "hertz-sphere", laws, 0);
 }
@@ -184,8 +184,8 @@ static void test_inertia(void **state) {
     (void)state;
     tr_world w;
     new_world_of(&w, 2, TR_SHAPE_SPHERE);
-    tr_world_set_disk(&w, 0, 0, 0, 0, RADIUS, DENSITY, true);
-    tr_world_set_disk(&w, 1, 1, 0, 0, 3 * RADIUS, DENSITY, false);
+    tr_world_set_disk(&w, 0, &(tr_disk_start){0, 0, 0, RADIUS, DENSITY, true});
+    tr_world_set_disk(&w, 1, &(tr_disk_start){1, 0, 0, 3 * RADIUS, DENSITY, false});
     double m2 = mass(3 * RADIUS);
     tr_pair_bodies two = tr_world_pair(&w, &w.group[0], 0, 1), one = tr_world_pair(&w, &w.group[1], 0, 1);
     assert_true(two.R1 == RADIUS && isinf(two.m1) && isinf(two.I1));
@@ -204,7 +204,7 @@ static void new_cluster(tr_world *w, test_laws laws, double safety) {
     new_world_of(w, N, TR_SHAPE_SPHERE);
     for (int i = 0; i < N; i++) {
         double x = 0.02 * (i % 4 - 1.5) + 0.001 * tr_random_uniform(&r), y = 0.02 * (i / 4 - 1.5);
-        tr_world_set_disk(w, i, x, y, 0, 0.006 + 0.004 * tr_random_uniform(&r), DENSITY, false);
+        tr_world_set_disk(w, i, &(tr_disk_start){x, y, 0, 0.006 + 0.004 * tr_random_uniform(&r), DENSITY, false});
         set_velocity(w, i, -10 * x - 5 * y, -10 * y + 5 * x, 40 * (tr_random_uniform(&r) - 0.3));
     }
     set_hertz(w, "hertz-sphere", laws, TR_SINK_LEDGER);
@@ -298,13 +298,13 @@ static void press(tr_world *w, rest *r, double zeta) {
     r->frequency = sqrt((r->floor ? 1 : 2) * k / m);
     new_world_of(w, r->floor ? 1 : 3, r->sphere ? TR_SHAPE_SPHERE : TR_SHAPE_DISK);
     w->allow_unstable = true;
-    tr_world_set_disk(w, 0, 0, RADIUS - r->delta, 0, RADIUS, DENSITY, false);
+    tr_world_set_disk(w, 0, &(tr_disk_start){0, RADIUS - r->delta, 0, RADIUS, DENSITY, false});
     if (r->floor) {
         w->wall[0] = (tr_wall){.ny = 1}, w->n_walls = 1;
         set_gravity(w, 0, -P / m);
     } else {
-        tr_world_set_disk(w, 1, 0, -RADIUS, 0, RADIUS, DENSITY, true);
-        tr_world_set_disk(w, 2, 0, 3 * (RADIUS - r->delta) + r->delta, 0, RADIUS, DENSITY, true);
+        tr_world_set_disk(w, 1, &(tr_disk_start){0, -RADIUS, 0, RADIUS, DENSITY, true});
+        tr_world_set_disk(w, 2, &(tr_disk_start){0, 3 * (RADIUS - r->delta) + r->delta, 0, RADIUS, DENSITY, true});
     }
     set_hertz(w, r->sphere ? "hertz-sphere" : "hertz-line", (test_laws){.damping_ratio = zeta}, 0);
 }

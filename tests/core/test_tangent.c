@@ -12,7 +12,8 @@ static tr_bodies b;
 
 static void open_text(const char *text) {
     tr_status st = {0};
-    if (!tr_scene_read(&scene, "a", text, strlen(text), NULL, 0, tr_laws_catalog(), &st)) fail_msg("%s", st.text);
+    if (!tr_scene_read(&scene, &(tr_scene_source){"a", text, strlen(text), NULL, 0}, tr_laws_catalog(), &st))
+        fail_msg("%s", st.text);
     if (!tr_bodies_init(&b, &scene, &st)) fail_msg("%s", st.text);
 }
 

@@ -24,7 +24,8 @@ static void move(tr_world *world, bool periodic, int threads, int threads_later)
     new_world(world, ROW * ROW);
     for (int i = 0; i < ROW * ROW; i++) {
         double x = (i % ROW + 0.5) * pitch - side / 2, y = (i / ROW + 0.5) * pitch - side / 2;
-        tr_world_set_disk(world, i, x, y, 0, 0.96e-3 + 0.04e-3 * tr_random_uniform(&random), 2700, false);
+        tr_world_set_disk(world, i,
+                          &(tr_disk_start){x, y, 0, 0.96e-3 + 0.04e-3 * tr_random_uniform(&random), 2700, false});
         set_velocity(world, i, 4 * tr_random_uniform(&random) - 2, 4 * tr_random_uniform(&random) - 2, 100);
     }
     if (periodic)

@@ -96,7 +96,7 @@ static void new_lattice(tr_world *w, int columns, int rows, bool hexagonal, bool
     new_world(w, columns * rows);
     for (int j = 0; j < rows; j++)
         for (int i = 0; i < columns; i++)
-            tr_world_set_disk(w, j * columns + i, i * d + (hexagonal && j % 2 ? d / 2 : 0), j * up, 0, R, 1000, false);
+            tr_world_set_disk(w, j * columns + i, &(tr_disk_start){i * d + (hexagonal && j % 2 ? d / 2 : 0), j * up, 0, R, 1000, false});
     if (walls) {
         double edge = d / 2;
         tr_wall box[4] = {{.x = -edge, .nx = 1},
@@ -160,9 +160,8 @@ static void test_one_pair_is_exact(void **state) {
         for (int k = 0; k < 3; k++) {
             tr_world w;
             new_world(&w, 2);
-            tr_world_set_disk(&w, 0, 0, 0, 0, 0.01, 1000, false);
-            tr_world_set_disk(&w, 1, 0.6 * (0.01 + radii[i]) * (1 - 1e-9), 0.8 * (0.01 + radii[i]), 0, radii[i], 1000,
-                              false);
+            tr_world_set_disk(&w, 0, &(tr_disk_start){0, 0, 0, 0.01, 1000, false});
+            tr_world_set_disk(&w, 1, &(tr_disk_start){0.6 * (0.01 + radii[i]) * (1 - 1e-9), 0.8 * (0.01 + radii[i]), 0, radii[i], 1000, false});
             set_laws(&w, *laws[k], 0);
             w.dt = 1e-12;
             forces(&w);
@@ -215,8 +214,8 @@ static void test_worst_covers_every_pair(void **state) {
         double R = 0.01 / ratio;
         tr_world w;
         new_world(&w, 2);
-        tr_world_set_disk(&w, 0, 0, 0, 0, 0.01, 1000, k % 3 == 0);
-        tr_world_set_disk(&w, 1, 0.01 + R * 0.999999, 0, 0, R, 1000, false);
+        tr_world_set_disk(&w, 0, &(tr_disk_start){0, 0, 0, 0.01, 1000, k % 3 == 0});
+        tr_world_set_disk(&w, 1, &(tr_disk_start){0.01 + R * 0.999999, 0, 0, R, 1000, false});
         set_laws(&w, laws, 0);
         w.dt = 1e-15;
         forces(&w);
@@ -238,7 +237,7 @@ static double growth(double zeta, double share) {
     test_laws laws = {.k_n = 1e6, .damping_ratio = zeta};
     tr_world w;
     new_world(&w, N);
-    for (int i = 0; i < N; i++) tr_world_set_disk(&w, i, (R - lap) + i * (2 * R - lap), 0, 0, R, 1000, false);
+    for (int i = 0; i < N; i++) tr_world_set_disk(&w, i, &(tr_disk_start){(R - lap) + i * (2 * R - lap), 0, 0, R, 1000, false});
     w.wall[0] = (tr_wall){.nx = 1}, w.wall[1] = (tr_wall){.x = 2 * (R - lap) + (N - 1) * (2 * R - lap), .nx = -1};
     w.n_walls = 2;
     set_laws(&w, laws, 0);
@@ -357,7 +356,7 @@ static void test_a_light_piston_is_named(void **state) {
     for (int light = 0; light < 2; light++) {
         tr_world w;
         new_world(&w, 1);
-        tr_world_set_disk(&w, 0, 0, 0, 0, 0.01, 1000, false);
+        tr_world_set_disk(&w, 0, &(tr_disk_start){0, 0, 0, 0.01, 1000, false});
         double m = w.disks.mass[0], M = light ? m / 9 : 9 * m;
         w.wall[0] = (tr_wall){.x = -0.00999, .nx = 1, .mass = M}, w.n_walls = 1;
         set_laws(&w, normal_only, 0);
@@ -383,10 +382,10 @@ static void test_sure_of_what_may_come(void **state) {
     for (int bowl = 0; bowl < 2; bowl++) {
         tr_world w;
         new_world(&w, bowl ? 1 : 4);
-        tr_world_set_disk(&w, 0, 0, 0, 0, 0.01, 1000, false);
+        tr_world_set_disk(&w, 0, &(tr_disk_start){0, 0, 0, 0.01, 1000, false});
         double m = w.disks.mass[0], z = bowl ? 12 : 3;
         for (int i = 1; i < w.disks.n; i++)
-            tr_world_set_disk(&w, i, i, 0, 0, (double[]){0.01, 0.005, 0.02}[i - 1], 1000, i > 1);
+            tr_world_set_disk(&w, i, &(tr_disk_start){i, 0, 0, (double[]){0.01, 0.005, 0.02}[i - 1], 1000, i > 1});
         for (int k = 0; bowl && k < 12; k++)
             w.wall[w.n_walls++] = (tr_wall){.x = -0.02 * cos(k), .y = -0.02 * sin(k), .nx = cos(k), .ny = sin(k)};
         set_laws(&w, normal_only, 0);

@@ -25,7 +25,7 @@ static void start(show *s, double time, double gx, double gy, const char *contac
         text, sizeof text,
         "kind: bodies\ntime_end: %.17g\ngravity: {x: %.17g, y: %.17g}\ncontact: {k_n: 1e7, damping_ratio: 0, %s}\n%s",
         time, gx, gy, contact, rest);
-    if (!tr_scene_read(&s->scene, "case", text, strlen(text), NULL, 0, tr_laws_catalog(), &st) ||
+    if (!tr_scene_read(&s->scene, &(tr_scene_source){"case", text, strlen(text), NULL, 0}, tr_laws_catalog(), &st) ||
         !tr_bodies_init(&s->b, &s->scene, &st))
         fail_msg("%s", st.text);
 }
@@ -255,7 +255,8 @@ static void a_wall_fills_in_what_it_does_not_say(void **state) {
     assert_true(*tr_law_value(friction, own->friction.par, "mu") == 0.1);
     assert_true(*tr_law_value(rolling, own->rolling.par, "k_r") == 1e6);
     char *text = tr_scene_write(&s.scene, tr_laws_catalog(), &st);
-    if (!tr_scene_read(&again, "again", text, strlen(text), NULL, 0, tr_laws_catalog(), &st)) fail_msg("%s", st.text);
+    if (!tr_scene_read(&again, &(tr_scene_source){"again", text, strlen(text), NULL, 0}, tr_laws_catalog(), &st))
+        fail_msg("%s", st.text);
     char *twice = tr_scene_write(&again, tr_laws_catalog(), &st);
     assert_string_equal(text, twice);
     free(text), free(twice);
@@ -297,7 +298,8 @@ static void documents_fill_in_their_own(void **state) {
     const char *text = "kind: bodies\ntime_end: 1\ncontact: {k_n: 1e7, mu: 0.3, mu_r: 0}\n"
                        "disks: [{radius: 20 mm, x: 0, y: 1}]\nwalls: [{nx: 0, ny: 1, contact: {k_n: 2e7}}]\n"
                        "---\ncontact: {mu: 0.7}\n";
-    if (!tr_scene_read(&scene, "case", text, strlen(text), NULL, 0, tr_laws_catalog(), &st)) fail_msg("%s", st.text);
+    if (!tr_scene_read(&scene, &(tr_scene_source){"case", text, strlen(text), NULL, 0}, tr_laws_catalog(), &st))
+        fail_msg("%s", st.text);
     const double expected[] = {0.3, 0.7};
     for (int k = 0; k < 2; k++) {
         const tr_scene_contact *own = &(k ? scene.more : &scene)->walls[0].contact;
@@ -327,7 +329,8 @@ static void what_is_no_wall_is_told_where(void **state) {
                  "kind: bodies\ntime_end: 1\ndisks: [{radius: 1, x: 0, y: 9}]\nwalls: [%s]\ncontact: {k_n: 1e7, mu: 0, "
                  "mu_r: 0}\n",
                  rows[i][0]);
-        assert_false(tr_scene_read(&scene, "case", text, strlen(text), NULL, 0, tr_laws_catalog(), &st));
+        assert_false(
+            tr_scene_read(&scene, &(tr_scene_source){"case", text, strlen(text), NULL, 0}, tr_laws_catalog(), &st));
         if (!strstr(st.text, rows[i][1])) fail_msg("no \"%s\" in: %s", rows[i][1], st.text);
     }
 }

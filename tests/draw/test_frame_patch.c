@@ -427,7 +427,7 @@ static void test_odd_numbers(void **state) {
             tr_draw_patch(f->canvas, &f->view);
             assert_int_equal(count(f, TR_WHITE, 0, 24, 0, TR_FRAME_HEIGHT), 24 * TR_FRAME_HEIGHT);
             assert_int_equal(count(f, TR_WHITE, 820, 848, 0, TR_FRAME_HEIGHT), 28 * TR_FRAME_HEIGHT);
-            tr_draw_patch_inset(f->canvas->cr, 40, 40, 300, 200, &f->state, &f->pair, true);
+            tr_draw_patch_inset(f->canvas->cr, (tr_box){40, 40, 300, 200}, &f->state, &f->pair, true);
         }
     rolls(f, 200);
     tr_draw_patch(f->canvas, &f->view);
@@ -461,7 +461,7 @@ static void test_inset(void **state) {
         int x = 101, y = 57, w = k ? 640 : 240, h = k ? 400 : 160;
         tr_pen_hue(f->canvas->cr, TR_PURPLE);
         cairo_paint(f->canvas->cr);
-        tr_draw_patch_inset(f->canvas->cr, x, y, w, h, &f->state, &f->pair, true);
+        tr_draw_patch_inset(f->canvas->cr, (tr_box){x, y, w, h}, &f->state, &f->pair, true);
         assert_int_equal(count(f, TR_PURPLE, 0, TR_FRAME_WIDTH, 0, TR_FRAME_HEIGHT),
                          TR_FRAME_WIDTH * TR_FRAME_HEIGHT - w * h);
         assert_true(count(f, TR_STICKS, x, x + w / 2, y, y + h) > 20);

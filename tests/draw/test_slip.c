@@ -30,7 +30,7 @@ static pair open_pair(const char *contact) {
              "kind: bodies\ntime_end: 1\ncontact: {rolling: none, %s}\n"
              "disks: [{radius: 0.01, x: 0, y: 0}, {radius: 0.03, x: 0, y: 0.03999}]\n",
              contact);
-    if (!tr_scene_read(&p.scene, "a.yaml", text, strlen(text), NULL, 0, tr_laws_catalog(), &st) ||
+    if (!tr_scene_read(&p.scene, &(tr_scene_source){"a.yaml", text, strlen(text), NULL, 0}, tr_laws_catalog(), &st) ||
         !tr_bodies_init(&p.b, &p.scene, &st))
         fail_msg("%s", st.text);
     return p;
@@ -101,7 +101,7 @@ static void spheres_go_by_the_cube_root(void **state) {
         "disks: [{radius: 0.01, x: 0, y: 0}, {radius: 0.03, x: 0, y: 0.03999}]\n";
     tr_status st = {0};
     pair p;
-    if (!tr_scene_read(&p.scene, "a.yaml", text, strlen(text), NULL, 0, tr_laws_catalog(), &st) ||
+    if (!tr_scene_read(&p.scene, &(tr_scene_source){"a.yaml", text, strlen(text), NULL, 0}, tr_laws_catalog(), &st) ||
         !tr_bodies_init(&p.b, &p.scene, &st))
         fail_msg("%s", st.text);
     tr_record r = contact_of(7.0 / 8, -1, -1);

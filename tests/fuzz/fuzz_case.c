@@ -13,7 +13,7 @@ static void check_again(const tr_scene *scene) {
     tr_scene again;
     char *text = tr_scene_write(scene, tr_laws_catalog(), &st);
     if (!text) abort();
-    if (!tr_scene_read(&again, "resolved", text, strlen(text), NULL, 0, tr_laws_catalog(), &st)) {
+    if (!tr_scene_read(&again, &(tr_scene_source){"resolved", text, strlen(text), NULL, 0}, tr_laws_catalog(), &st)) {
         fprintf(stderr, "%s\n%s\n", text, st.text);
         abort();
     }
@@ -36,7 +36,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     }
     tr_status st = {0};
     tr_scene scene;
-    if (tr_scene_read(&scene, "fuzz", (const char *)part, length, given, n, tr_laws_catalog(), &st)) {
+    if (tr_scene_read(&scene, &(tr_scene_source){"fuzz", (const char *)part, length, given, n}, tr_laws_catalog(),
+                      &st)) {
         check_again(&scene);
         tr_scene_free(&scene);
     }

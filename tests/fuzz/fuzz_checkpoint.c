@@ -53,7 +53,7 @@ static void begin(void) {
     char old[TR_PATH];
     snprintf(old, sizeof old, "%s/sample.bin", fuzz_dir());
     remove(old);
-    if (!tr_scene_read(&scene, "fuzz", text, sizeof text - 1, NULL, 0, tr_laws_catalog(), &st) ||
+    if (!tr_scene_read(&scene, &(tr_scene_source){"fuzz", text, sizeof text - 1, NULL, 0}, tr_laws_catalog(), &st) ||
         go(true, false, &st) || st.code != TR_INTERRUPTED) {
         fprintf(stderr, "%s\n", st.text);
         abort();

@@ -14,7 +14,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     tr_status st = {0};
     tr_scene scene;
     snprintf(set, sizeof set, "path=%s", fuzz_file("path.csv", data, size));
-    if (!tr_scene_read(&scene, "fuzz", text, sizeof text - 1, sets, 1, tr_laws_catalog(), &st)) {
+    if (!tr_scene_read(&scene, &(tr_scene_source){"fuzz", text, sizeof text - 1, sets, 1}, tr_laws_catalog(), &st)) {
         fprintf(stderr, "%s\n", st.text);
         abort();
     }

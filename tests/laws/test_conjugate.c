@@ -255,8 +255,9 @@ static void new_cluster(tr_world *w, bool floor, double mu, const char *rolling,
     new_world(w, N);
     for (int i = 0; i < N; i++) {
         double x = 0.018 * (i % SIDE - 2), y = 0.018 * (i / SIDE - 2);
-        tr_world_set_disk(w, i, x + 0.001 * tr_random_uniform(&r), y + 0.05 + 0.001 * tr_random_uniform(&r), 0,
-                          i % 2 ? 0.01 : 0.006, 1000, false);
+        tr_world_set_disk(w, i,
+                          &(tr_disk_start){x + 0.001 * tr_random_uniform(&r), y + 0.05 + 0.001 * tr_random_uniform(&r),
+                                           0, i % 2 ? 0.01 : 0.006, 1000, false});
         set_velocity(w, i, -10 * x - 5 * y, -10 * y + 5 * x, 40 * (tr_random_uniform(&r) - 0.3));
     }
     if (floor) {
@@ -386,8 +387,8 @@ static bool grows(double R1, double k_t, double share) {
     double R2 = 0.01;
     new_world(&w, R1 > 0 ? 2 : 1);
     int last = R1 > 0;
-    if (R1 > 0) tr_world_set_disk(&w, 0, 0, 0, 0, R1, 1000, false);
-    tr_world_set_disk(&w, last, 0, R1 + R2 - 1e-5, 0, R2, 1000, false);
+    if (R1 > 0) tr_world_set_disk(&w, 0, &(tr_disk_start){0, 0, 0, R1, 1000, false});
+    tr_world_set_disk(&w, last, &(tr_disk_start){0, R1 + R2 - 1e-5, 0, R2, 1000, false});
     if (R1 == 0) w.wall[0] = (tr_wall){.ny = 1}, w.n_walls = 1;
     tr_scene_contact c =
         contact_of((test_laws){.k_n = 1e3, .mu = k_t > 0 ? 100 : 0, .k_t = k_t, .rolling_velocity = "bagi-kuhn"});
@@ -423,7 +424,8 @@ static void test_stability_bound(void **state) {
 static double bound_of_pair(double R1, double R2, double L, const char *rolling, const char *velocity, double k_r) {
     tr_world w;
     new_world(&w, 2);
-    tr_world_set_disk(&w, 0, 0, 0, 0, R1, 1000, false), tr_world_set_disk(&w, 1, 0, L, 0, R2, 1000, false);
+    tr_world_set_disk(&w, 0, &(tr_disk_start){0, 0, 0, R1, 1000, false}),
+        tr_world_set_disk(&w, 1, &(tr_disk_start){0, L, 0, R2, 1000, false});
     set_spring(&w, rolling, velocity, 0, k_r, 0);
     w.dt = 1e-9;
     forces(&w);

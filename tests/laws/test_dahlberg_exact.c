@@ -362,7 +362,7 @@ static void test_inside_the_cap_for_any_input(void **state) {
 
 static bool reads(const char *text, tr_status *st) {
     tr_scene scene;
-    bool ok = tr_scene_read(&scene, "a.yaml", text, strlen(text), NULL, 0, tr_laws_catalog(), st);
+    bool ok = tr_scene_read(&scene, &(tr_scene_source){"a.yaml", text, strlen(text), NULL, 0}, tr_laws_catalog(), st);
     if (ok) tr_scene_free(&scene);
     return ok;
 }

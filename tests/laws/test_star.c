@@ -69,7 +69,7 @@ static void set_star(tr_world *w, double mu, star s, unsigned sinks) {
 static void on_floor(tr_world *w, double mu, star s) {
     new_world(w, 1);
     w->wall[0] = (tr_wall){.ny = 1}, w->n_walls = 1;
-    tr_world_set_disk(w, 0, 0, RADIUS - mass() * G / K, 0, RADIUS, DENSITY, false);
+    tr_world_set_disk(w, 0, &(tr_disk_start){0, RADIUS - mass() * G / K, 0, RADIUS, DENSITY, false});
     set_gravity(w, 0, -G);
     set_star(w, mu, s, TR_SINK_LEDGER);
     w->dt = 0.1 / sqrt(3 * K / mass());
@@ -234,8 +234,8 @@ static one_step single(star s, double w1, double w2, double f, double Q, double 
     memset(&t, 0, sizeof t);
     tr_world w;
     new_world(&w, 2);
-    tr_world_set_disk(&w, 0, 0, 0, 0, 2 * RADIUS, DENSITY, false);
-    tr_world_set_disk(&w, 1, 1, 0, 0, RADIUS, DENSITY, false);
+    tr_world_set_disk(&w, 0, &(tr_disk_start){0, 0, 0, 2 * RADIUS, DENSITY, false});
+    tr_world_set_disk(&w, 1, &(tr_disk_start){1, 0, 0, RADIUS, DENSITY, false});
     set_star(&w, 0, s, 0);
     const tr_group_law *slot = &w.group[0].laws[TR_ROLLING];
     double R1[1] = {2 * RADIUS}, R2[1] = {RADIUS}, g1[1] = {2.0 / 3}, h[2] = {before, before}, p[TR_MAX_PAIR] = {0};
@@ -347,8 +347,8 @@ static void test_on_a_turning_disk(void **state) {
         star s = {.name = names[k], .mu_r = 0.05, .half = 1};
         tr_world w;
         new_world(&w, 2);
-        tr_world_set_disk(&w, 0, 0, 0, 0, RADIUS, DENSITY, true);
-        tr_world_set_disk(&w, 1, 0, 2 * RADIUS - mass() * G / K, 0, RADIUS, DENSITY, false);
+        tr_world_set_disk(&w, 0, &(tr_disk_start){0, 0, 0, RADIUS, DENSITY, true});
+        tr_world_set_disk(&w, 1, &(tr_disk_start){0, 2 * RADIUS - mass() * G / K, 0, RADIUS, DENSITY, false});
         set_gravity(&w, 0, -G);
         set_star(&w, 0, s, 0);
         w.dt = 0.1 / sqrt(3 * K / mass());
@@ -377,7 +377,7 @@ static double squeezed_spin(bool limiter, int n, double w0) {
             (tr_wall){.x = -(RADIUS - squeeze) * cos(a), .y = -(RADIUS - squeeze) * sin(a), .nx = cos(a), .ny = sin(a)};
     }
     w.n_walls = 3;
-    tr_world_set_disk(&w, 0, 0, 0, 0, RADIUS, DENSITY, false);
+    tr_world_set_disk(&w, 0, &(tr_disk_start){0, 0, 0, RADIUS, DENSITY, false});
     set_star(&w, 0, (star){.name = CT, .mu_r = 0.1, .limiter = limiter}, 0);
     w.dt = 0.1 / sqrt(3 * K / mass());
     set_velocity(&w, 0, 0, 0, w0);
@@ -415,7 +415,8 @@ static double compact_spin(bool limiter, int n, double w0) {
     for (int k = 0; k < 4; k++) w.wall[k] = box[k];
     w.n_walls = 4;
     for (int i = 0; i < SIDE * SIDE; i++)
-        tr_world_set_disk(&w, i, pitch * (0.5 + i % SIDE), pitch * (0.5 + i / SIDE), 0, RADIUS, DENSITY, false);
+        tr_world_set_disk(
+            &w, i, &(tr_disk_start){pitch * (0.5 + i % SIDE), pitch * (0.5 + i / SIDE), 0, RADIUS, DENSITY, false});
     set_star(&w, 0, (star){.name = CT, .mu_r = 0.1, .limiter = limiter}, 0);
     w.dt = 0.1 / sqrt(3 * K / mass());
     for (int i = 0; i < SIDE * SIDE; i++) w.disks.vel[4 * i + 2] = w0 * (tr_random_uniform(&r) - 0.5);
@@ -442,7 +443,8 @@ static void test_shares_follow_the_contacts(void **state) {
     (void)state;
     tr_world w;
     new_world(&w, 3);
-    for (int i = 0; i < 3; i++) tr_world_set_disk(&w, i, 1.99 * RADIUS * i + (i == 2), 0, 0, RADIUS, DENSITY, false);
+    for (int i = 0; i < 3; i++)
+        tr_world_set_disk(&w, i, &(tr_disk_start){1.99 * RADIUS * i + (i == 2), 0, 0, RADIUS, DENSITY, false});
     set_star(&w, 0.5, (star){.name = "star-force-proportional", .mu_r = 0.1}, 0);
     w.dt = 1e-7;
     for (int k = 0; k < 3; k++) {

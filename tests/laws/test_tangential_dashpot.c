@@ -113,7 +113,7 @@ static bool reads(const char *bodies, const char *time, tr_status *st) {
              "laws: [{friction: coulomb-spring, mu: 0.3, k_t: 1 MPa, tangential_damping_ratio: 0.2}]\n"
              "path: [{force: 10 N/m, slide: 1 um, steps: 10%s}]\n",
              bodies, time);
-    bool ok = tr_scene_read(&scene, "case", text, strlen(text), NULL, 0, tr_laws_catalog(), st);
+    bool ok = tr_scene_read(&scene, &(tr_scene_source){"case", text, strlen(text), NULL, 0}, tr_laws_catalog(), st);
     if (ok) tr_scene_free(&scene);
     return ok;
 }

@@ -355,7 +355,8 @@ static bool finish(maker *m, char *text, tr_status *st) {
     tr_scene scene;
     if (m->kind == TR_KIND_CONTACT || m->kind == TR_KIND_PATCH) return true;
     bool tests = m->kind == TR_KIND_BIAXIAL;
-    if (!tr_scene_read(&scene, "draft", text, strlen(text), sets[!tests], tests ? 3 : 1, tr_laws_catalog(), st))
+    if (!tr_scene_read(&scene, &(tr_scene_source){"draft", text, strlen(text), sets[!tests], tests ? 3 : 1},
+                       tr_laws_catalog(), st))
         return false;
     double steps = power(m, 1.5, 3.3);
     bool ok;
@@ -392,7 +393,8 @@ static bool finish(maker *m, char *text, tr_status *st) {
 static bool holds_together(const maker *m, const char *text, tr_status *st) {
     tr_scene scene;
     tr_biaxial b;
-    if (!tr_scene_read(&scene, "scene", text, strlen(text), NULL, 0, tr_laws_catalog(), st)) return false;
+    if (!tr_scene_read(&scene, &(tr_scene_source){"scene", text, strlen(text), NULL, 0}, tr_laws_catalog(), st))
+        return false;
     bool ok = m->kind != TR_KIND_BIAXIAL || tr_biaxial_init(&b, &scene, st);
     if (ok && m->kind == TR_KIND_BIAXIAL) tr_biaxial_free(&b);
     tr_scene_free(&scene);

@@ -7,23 +7,23 @@
 #include "scene/scene.h"
 #include <string.h>
 
-typedef struct fake_linear {
+typedef struct __attribute__((may_alias)) fake_linear {
     double k_n, damping_ratio;
 } fake_linear;
-typedef struct fake_sticky {
+typedef struct __attribute__((may_alias)) fake_sticky {
     double k_n, mu;
     int layers;
     bool wet;
     int model;
 } fake_sticky;
-typedef struct fake_spring {
+typedef struct __attribute__((may_alias)) fake_spring {
     double mu, k_t;
 } fake_spring;
-typedef struct fake_curve {
+typedef struct __attribute__((may_alias)) fake_curve {
     double E_star, depth;
     int step;
 } fake_curve;
-typedef struct fake_rolling {
+typedef struct __attribute__((may_alias)) fake_rolling {
     double mu_r, k_r;
 } fake_rolling;
 
@@ -147,7 +147,7 @@ static const char contact_case[] = "kind: contact\n"
 
 static inline bool fake_read(tr_scene *scene, const char *text, const char *const *sets, int n_sets, tr_status *st) {
     *st = (tr_status){0};
-    return tr_scene_read(scene, "a.yaml", text, strlen(text), sets, n_sets, &fake_catalog, st);
+    return tr_scene_read(scene, &(tr_scene_source){"a.yaml", text, strlen(text), sets, n_sets}, &fake_catalog, st);
 }
 
 #endif

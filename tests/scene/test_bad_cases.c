@@ -285,8 +285,10 @@ static void messages(void **state) {
         const bad_case *row = &rows[i];
         tr_scene scene;
         tr_status st = {0};
-        bool ok = tr_scene_read(&scene, "a.yaml", row->text, row->size ? row->size : strlen(row->text), &row->set,
-                                row->set ? 1 : 0, &fake_catalog, &st);
+        bool ok = tr_scene_read(&scene,
+                                &(tr_scene_source){"a.yaml", row->text, row->size ? row->size : strlen(row->text),
+                                                   &row->set, row->set ? 1 : 0},
+                                &fake_catalog, &st);
         if (ok) fail_msg("accepted: %s", row->text);
         assert_int_equal(st.code, TR_BAD_CASE);
         if (strcmp(st.text, row->message) == 0) continue;
@@ -345,7 +347,7 @@ static void long_lines(void **state) {
     memset(name, 'n', sizeof name);
     name[1] = '\n';
     name[sizeof name - 1] = '\0';
-    assert_false(tr_scene_read(&scene, name, text, strlen(text), NULL, 0, &fake_catalog, &st));
+    assert_false(tr_scene_read(&scene, &(tr_scene_source){name, text, strlen(text), NULL, 0}, &fake_catalog, &st));
     assert_memory_equal(st.text, "n?n", 3);
     assert_non_null(strstr(st.text, "n:1:507: error: tabs are not allowed; use spaces\n"));
     char caret[128];

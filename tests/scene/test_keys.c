@@ -145,7 +145,8 @@ static void ask_reader(const char *kind, const char *section, const char *key, c
         snprintf(text + n, sizeof text - (size_t)n, strstr(lists, section) ? "%s: [%s]\n" : "%s: %s\n", section, item);
     tr_scene scene;
     *st = (tr_status){0};
-    if (tr_scene_read(&scene, "case.yaml", text, strlen(text), NULL, 0, tr_laws_catalog(), st)) tr_scene_free(&scene);
+    if (tr_scene_read(&scene, &(tr_scene_source){"case.yaml", text, strlen(text), NULL, 0}, tr_laws_catalog(), st))
+        tr_scene_free(&scene);
 }
 
 /* A row says whether its key can be given; the reader is asked about each. */

@@ -558,9 +558,9 @@ static void documents_with_any_two_laws(void **state) {
         }
         tr_scene s, again;
         tr_status st = {0};
-        if (!tr_scene_read(&s, "a", both, used, NULL, 0, laws, &st)) continue; /* a law for another shape or kind */
+        if (!tr_scene_read(&s, &(tr_scene_source){"a", both, used, NULL, 0}, laws, &st)) continue; /* a law for another shape or kind */
         char *resolved = tr_scene_write(&s, laws, &st);
-        if (!tr_scene_read(&again, "a", resolved, strlen(resolved), NULL, 0, laws, &st)) fail_msg("%s", st.text);
+        if (!tr_scene_read(&again, &(tr_scene_source){"a", resolved, strlen(resolved), NULL, 0}, laws, &st)) fail_msg("%s", st.text);
         assert_same(&s, &again);
         free(resolved);
         tr_scene_free(&s);
@@ -582,7 +582,7 @@ static void shipped_cases(void **state) {
         if (strstr(files.gl_pathv[i], "/sweep")) continue; /* no case: tests/study/test_sweep.c */
         if (!tr_scene_read_file(&s, files.gl_pathv[i], NULL, 0, laws, &st)) fail_msg("%s", st.text);
         char *text = tr_scene_write(&s, laws, &st);
-        if (!tr_scene_read(&again, "a", text, strlen(text), NULL, 0, laws, &st)) fail_msg("%s", st.text);
+        if (!tr_scene_read(&again, &(tr_scene_source){"a", text, strlen(text), NULL, 0}, laws, &st)) fail_msg("%s", st.text);
         assert_same(&s, &again);
         free(text);
         tr_scene_free(&s);
@@ -727,7 +727,7 @@ static void damaged_cases(void **state) {
         }
         tr_scene s;
         tr_status st = {0};
-        if (tr_scene_read(&s, "a", text, n, NULL, 0, &fake_catalog, &st)) {
+        if (tr_scene_read(&s, &(tr_scene_source){"a", text, n, NULL, 0}, &fake_catalog, &st)) {
             round_trip(&s);
             accepted++;
         } else {

@@ -67,7 +67,8 @@ static void read_case(tr_scene *scene, int disks) {
              "mu_r: 0.5}\n"
              "compaction: {pressure: 160 kPa, inertial_number: 0.1, unbalanced: 1e-2}\n",
              disks);
-    if (!tr_scene_read(scene, "a.yaml", text, strlen(text), NULL, 0, tr_laws_catalog(), &st)) fail_msg("%s", st.text);
+    if (!tr_scene_read(scene, &(tr_scene_source){"a.yaml", text, strlen(text), NULL, 0}, tr_laws_catalog(), &st))
+        fail_msg("%s", st.text);
 }
 
 /* What a scene does beside another one is what it does alone: the same contacts, to the last one. */

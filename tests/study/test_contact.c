@@ -19,7 +19,7 @@ typedef struct run {
 } run;
 
 static bool read_case(tr_scene *scene, const char *text, tr_status *st) {
-    return tr_scene_read(scene, "a.yaml", text, strlen(text), NULL, 0, tr_laws_catalog(), st);
+    return tr_scene_read(scene, &(tr_scene_source){"a.yaml", text, strlen(text), NULL, 0}, tr_laws_catalog(), st);
 }
 
 static run drive(const char *text) {

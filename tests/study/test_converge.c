@@ -128,7 +128,8 @@ static double spin_after(const char *gap, double safety) {
     tr_bodies b;
     snprintf(set[0], sizeof set[0], "disks.1.x=%s mm", gap);
     snprintf(set[1], sizeof set[1], "step.safety=%.17g", safety);
-    assert_true(tr_scene_read(&scene, "case", oblique, strlen(oblique), sets, 2, tr_laws_catalog(), &st));
+    assert_true(
+        tr_scene_read(&scene, &(tr_scene_source){"case", oblique, strlen(oblique), sets, 2}, tr_laws_catalog(), &st));
     assert_true(tr_bodies_init(&b, &scene, &st));
     assert_true(tr_integrate(&b.world, TR_LEAPFROG, b.steps, &st));
     double spin = b.world.disks.vel[2];

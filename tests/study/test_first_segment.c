@@ -24,7 +24,8 @@ static const double E_STAR = 70e9 / (2 * 0.91), R_STAR = 0.005, MU = 0.3, NU = 0
 static int drive(const char *text, int n, tr_contact_state last[][MOST]) {
     tr_scene scene;
     tr_status st = {0};
-    if (!tr_scene_read(&scene, "a.yaml", text, strlen(text), NULL, 0, tr_laws_catalog(), &st)) fail_msg("%s", st.text);
+    if (!tr_scene_read(&scene, &(tr_scene_source){"a.yaml", text, strlen(text), NULL, 0}, tr_laws_catalog(), &st))
+        fail_msg("%s", st.text);
     if (scene.path_file && !tr_path_read(&scene, &st)) fail_msg("%s", st.text);
     tr_contact *c = tr_contact_new(&scene, &st);
     assert_non_null(c);
@@ -165,7 +166,8 @@ static void inside(const char *solver, const char *path, int n, tr_contact_state
              "kind: patch\nbodies: {R1: 10 mm, R2: 10 mm, E: 70 GPa, nu: 0.3}\ndepth: 4 mm\nmu: 0.3\nelements: 40\n"
              "solver: %s\npath:\n%s",
              solver, path);
-    if (!tr_scene_read(&scene, "a.yaml", text, strlen(text), NULL, 0, tr_laws_catalog(), &st)) fail_msg("%s", st.text);
+    if (!tr_scene_read(&scene, &(tr_scene_source){"a.yaml", text, strlen(text), NULL, 0}, tr_laws_catalog(), &st))
+        fail_msg("%s", st.text);
     tr_inside *o = tr_inside_new(&scene, &st);
     assert_non_null(o);
     int steps = (int)tr_contact_steps(&scene);

@@ -29,7 +29,7 @@ static bool open_pair(pair *p, const char *contact, const char *shape, tr_contac
         "kind: bodies\nshape: %s\ntime_end: 1\ncontact: {k_n: %s, rolling: none, %s}\nwalls: [{nx: 0, ny: 1, y: -5}]\n"
         "disks: [{radius: 0.01, x: 0, y: 0}, {radius: 0.02, x: 0.0299, y: 0}]\n",
         shape, strcmp(shape, "disk") ? "1 kN/m" : "1 MPa", contact);
-    if (!tr_scene_read(&p->scene, "a.yaml", text, strlen(text), NULL, 0, tr_laws_catalog(), &st) ||
+    if (!tr_scene_read(&p->scene, &(tr_scene_source){"a.yaml", text, strlen(text), NULL, 0}, tr_laws_catalog(), &st) ||
         !tr_bodies_init(&p->b, &p->scene, &st))
         fail_msg("%s", st.text);
     return tr_inset_open(&p->inset, &p->b.world, pick, &st);

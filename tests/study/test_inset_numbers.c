@@ -55,7 +55,8 @@ void __wrap_tr_draw_biaxial(tr_canvas *canvas, const tr_view *view) {
 static tr_scene read_case(const char *text) {
     tr_scene scene;
     tr_status st = {0};
-    if (!tr_scene_read(&scene, "a.yaml", text, strlen(text), NULL, 0, tr_laws_catalog(), &st)) fail_msg("%s", st.text);
+    if (!tr_scene_read(&scene, &(tr_scene_source){"a.yaml", text, strlen(text), NULL, 0}, tr_laws_catalog(), &st))
+        fail_msg("%s", st.text);
     return scene;
 }
 

@@ -26,7 +26,7 @@ static void drive(run *r, const char *solver, const char *path) {
     char text[1000];
     tr_status st = {0};
     snprintf(text, sizeof text, HEAD "%s\npath: %s\n", solver, path);
-    if (!tr_scene_read(&r->scene, "a.yaml", text, strlen(text), NULL, 0, tr_laws_catalog(), &st))
+    if (!tr_scene_read(&r->scene, &(tr_scene_source){"a.yaml", text, strlen(text), NULL, 0}, tr_laws_catalog(), &st))
         fail_msg("%s", st.text);
     r->inside = tr_inside_new(&r->scene, &st);
     assert_non_null(r->inside);
@@ -161,7 +161,7 @@ static void failure(void **state) {
     tr_status st = {0};
     char text[1000];
     snprintf(text, sizeof text, HEAD "half-plane\npath: %s\n", "[{force: 10 kN/m, slide: 1 um, steps: 3}]");
-    assert_true(tr_scene_read(&A.scene, "a.yaml", text, strlen(text), NULL, 0, tr_laws_catalog(), &st));
+    assert_true(tr_scene_read(&A.scene, &(tr_scene_source){"a.yaml", text, strlen(text), NULL, 0}, tr_laws_catalog(), &st));
     A.scene.path[0].slide = INFINITY;
     A.inside = tr_inside_new(&A.scene, &st);
     assert_false(tr_inside_step(A.inside, A.state, &st));

@@ -24,7 +24,7 @@ static int compactions; /* calls of progress in that stage */
 static tr_scene scene_with(const char *const *sets, int n) {
     tr_scene scene;
     tr_status st = {0};
-    if (!tr_scene_read(&scene, "a.yaml", text, strlen(text), sets, n, tr_laws_catalog(), &st)) fail_msg("%s", st.text);
+    if (!tr_scene_read(&scene, &(tr_scene_source){"a.yaml", text, strlen(text), sets, n}, tr_laws_catalog(), &st)) fail_msg("%s", st.text);
     return scene;
 }
 

@@ -28,7 +28,7 @@ static void write_file(const char *text) {
 }
 
 static bool read_case(tr_scene *scene, const char *name, const char *text, tr_status *st) {
-    return tr_scene_read(scene, name, text, strlen(text), NULL, 0, tr_laws_catalog(), st);
+    return tr_scene_read(scene, &(tr_scene_source){name, text, strlen(text), NULL, 0}, tr_laws_catalog(), st);
 }
 
 /* The state at the end of each step. */

@@ -22,7 +22,8 @@ static double end_of_curve(const char *contact) {
     tr_status st = {0};
     tr_scene scene;
     snprintf(text, sizeof text, "%s%s%s}\n", scene_text, *contact ? ", contact: " : "", contact);
-    if (!tr_scene_read(&scene, "a.yaml", text, strlen(text), NULL, 0, tr_laws_catalog(), &st)) fail_msg("%s", st.text);
+    if (!tr_scene_read(&scene, &(tr_scene_source){"a.yaml", text, strlen(text), NULL, 0}, tr_laws_catalog(), &st))
+        fail_msg("%s", st.text);
     tr_play *p = calloc(1, sizeof *p);
     if (!tr_play_open(p, &scene, scene.output.curve, &st) || !tr_play_to(p, p->b.steps, &st)) fail_msg("%s", st.text);
     assert_true(p->n > 5);

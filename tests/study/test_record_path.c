@@ -41,7 +41,8 @@ static table read_path(const char *run, const char *name) {
 static tr_scene read_case(const char *text) {
     tr_scene scene;
     tr_status st = {0};
-    if (!tr_scene_read(&scene, "a.yaml", text, strlen(text), NULL, 0, tr_laws_catalog(), &st)) fail_msg("%s", st.text);
+    if (!tr_scene_read(&scene, &(tr_scene_source){"a.yaml", text, strlen(text), NULL, 0}, tr_laws_catalog(), &st))
+        fail_msg("%s", st.text);
     return scene;
 }
 
@@ -386,7 +387,8 @@ static void names(void **state) {
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         tr_scene s;
         st = (tr_status){0};
-        assert_false(tr_scene_read(&s, "a.yaml", bad[i].text, strlen(bad[i].text), NULL, 0, tr_laws_catalog(), &st));
+        assert_false(tr_scene_read(&s, &(tr_scene_source){"a.yaml", bad[i].text, strlen(bad[i].text), NULL, 0},
+                                   tr_laws_catalog(), &st));
         assert_int_equal(st.code, TR_BAD_CASE);
         if (strncmp(st.text, bad[i].message, strlen(bad[i].message)))
             fail_msg("%s\nis not\n%s", st.text, bad[i].message);

@@ -42,7 +42,7 @@ static void run_case(const char *text, const char *name) {
     char dir[100];
     tr_scene scene;
     tr_status st = {0};
-    if (!tr_scene_read(&scene, "a.yaml", text, strlen(text), NULL, 0, tr_laws_catalog(), &st)) fail_msg("%s", st.text);
+    if (!tr_scene_read(&scene, &(tr_scene_source){"a.yaml", text, strlen(text), NULL, 0}, tr_laws_catalog(), &st)) fail_msg("%s", st.text);
     snprintf(dir, sizeof dir, "%s/%s", folder, name);
     if (!tr_run(&scene, &(tr_run_options){.dir = dir, .force = true}, &report, &st)) fail_msg("%s", st.text);
     tr_scene_free(&scene);

@@ -47,7 +47,8 @@ static void stops_in_every_stage(const char *boundary, const char *how, const ch
     tr_status st = {0};
     assert_non_null(mkdtemp(dir));
     snprintf(whole, sizeof whole, "%s/whole", dir), snprintf(parts, sizeof parts, "%s/parts", dir);
-    if (!tr_scene_read(&scene, "a.yaml", text, strlen(text), NULL, 0, tr_laws_catalog(), &st)) fail_msg("%s", st.text);
+    if (!tr_scene_read(&scene, &(tr_scene_source){"a.yaml", text, strlen(text), NULL, 0}, tr_laws_catalog(), &st))
+        fail_msg("%s", st.text);
     assert_true(run(&scene, whole, false));
     int stops = 0;
     while (!run(&scene, parts, true)) assert_true(++stops < 30);

@@ -78,7 +78,8 @@ static tr_contact_state drive(int head, bool from_file, const part *parts, int n
     tr_contact_state s = {0};
     (from_file ? write_rows : write_segments)(path, sizeof path, parts, n);
     snprintf(text, sizeof text, "%s%s", HEADS[head], path);
-    if (!tr_scene_read(&scene, "a.yaml", text, strlen(text), NULL, 0, tr_laws_catalog(), &st)) fail_msg("%s", st.text);
+    if (!tr_scene_read(&scene, &(tr_scene_source){"a.yaml", text, strlen(text), NULL, 0}, tr_laws_catalog(), &st))
+        fail_msg("%s", st.text);
     if (from_file && !tr_path_read(&scene, &st)) fail_msg("%s", st.text);
     tr_inside *inside = head == PATCH ? tr_inside_new(&scene, &st) : NULL;
     tr_contact *contact = head == PATCH ? NULL : tr_contact_new(&scene, &st);
@@ -200,7 +201,8 @@ static void loading_and_sliding_in_one_row(void **state) {
             tr_scene scene;
             tr_status st = {0};
             tr_contact_state s[TR_MAX_LAWS];
-            if (!tr_scene_read(&scene, "a.yaml", text, strlen(text), NULL, 0, tr_laws_catalog(), &st))
+            if (!tr_scene_read(&scene, &(tr_scene_source){"a.yaml", text, strlen(text), NULL, 0}, tr_laws_catalog(),
+                               &st))
                 fail_msg("%s", st.text);
             tr_contact *c = tr_contact_new(&scene, &st);
             for (int i = 0; i < 1 + 2 * rows; i++) {
